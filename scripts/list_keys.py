@@ -8,6 +8,7 @@ with it the tables of the page are rewritten.
 """
 import ctypes
 import difflib
+import re
 import sys
 from pathlib import Path
 
@@ -50,6 +51,8 @@ def keys_of(library):
 def page_of(keys):
     groups = {}
     for name, default, allowed, meaning in keys:
+        if re.match(r"(its|the same|instead|likewise|of)\b", meaning):
+            raise RuntimeError(f"the meaning of {name} refers to another key: {meaning}")
         row = [f"`{name}`", f"`{default}`", allowed, meaning]
         groups.setdefault(name.partition(".")[0], []).append(
             "| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |")

@@ -59,11 +59,11 @@ Key total_key(std::string_view name, std::string_view meaning, const Sides& side
 
 std::vector<Key> make_load_keys() {
   const Sides both{&Scene::left, &Scene::right};
-  Key normal =
-      optional_key({"load.normal", "\"none\"", "\"none\" or 0 to 1e12 N",
-                    "instead: force on each wheel in the direction of the force on the patch of "
-                    "first touch; with solve.gap = \"vertical\" along the gap (as in the paper)"},
-                   range, pure, &Scene::normal_load, "none");
+  Key normal = optional_key(
+      {"load.normal", "\"none\"", "\"none\" or 0 to 1e12 N",
+       "replaces load.vertical: force on each wheel in the direction of the force on the "
+       "patch of first touch; with solve.gap = \"vertical\" along the gap (as in the paper)"},
+      range, pure, &Scene::normal_load, "none");
   normal.set_number = [set = normal.set_number](Scene& scene, double value) {
     set(scene, value);
     scene.left.total_load.reset();
@@ -74,15 +74,24 @@ std::vector<Key> make_load_keys() {
                "vertical force that the normal pressures of each wheel carry; creep forces on an "
                "inclined plane add to it",
                both),
-      load_key("load.left", "the same for the left wheel", {&Scene::left}),
-      load_key("load.right", "the same for the right wheel", {&Scene::right}),
+      load_key("load.left", "vertical force that the normal pressures of the left wheel carry",
+               {&Scene::left}),
+      load_key("load.right", "vertical force that the normal pressures of the right wheel carry",
+               {&Scene::right}),
       normal,
       total_key("load.total_vertical",
-                "instead: vertical force that all contact forces of each wheel carry, creep forces "
+                "replaces load.vertical: vertical force that all contact forces of each wheel "
+                "carry, creep forces "
                 "included; the load on the pressures is solved for",
                 both),
-      total_key("load.total_left", "the same for the left wheel", {&Scene::left}),
-      total_key("load.total_right", "the same for the right wheel", {&Scene::right}),
+      total_key(
+          "load.total_left",
+          "replaces load.left: vertical force that all contact forces of the left wheel carry",
+          {&Scene::left}),
+      total_key(
+          "load.total_right",
+          "replaces load.right: vertical force that all contact forces of the right wheel carry",
+          {&Scene::right}),
   };
 }
 

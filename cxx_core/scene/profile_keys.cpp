@@ -267,12 +267,13 @@ std::vector<Key> make_track_keys() {
   smoothing("track.rail_smoothing", "smoothing wavelength of rail profiles read from a file",
             {&Scene::left, &Scene::right});
   keys.push_back(smoothing_key(along, "track.rail_smoothing_along",
-                               "of rails that vary: waves along the track of this length are "
-                               "halved, 0: the surface passes through the slices; auto: as the "
-                               "slices file says",
+                               "smoothing of rails that vary: waves of this length along the "
+                               "track are halved; 0: the surface passes through the slices; auto: "
+                               "as the slices file says",
                                &SceneSide::rail, {&Scene::left, &Scene::right}));
   rail("track.left.rail", "profile of the left rail", {&Scene::left});
-  smoothing("track.left.rail_smoothing", "its smoothing wavelength, if read from a file",
+  smoothing("track.left.rail_smoothing",
+            "smoothing wavelength of the left rail's profile, if it is read from a file",
             {&Scene::left});
   moves("track.left.displacement", displacements,
         "displacement of the left rail from its nominal position, for track irregularities or "
@@ -282,7 +283,8 @@ std::vector<Key> make_track_keys() {
         "velocity of the left rail on flexible track; affects creepages from motion.*",
         &Scene::left, &SceneSide::velocity);
   rail("track.right.rail", "profile of the right rail", {&Scene::right});
-  smoothing("track.right.rail_smoothing", "its smoothing wavelength, if read from a file",
+  smoothing("track.right.rail_smoothing",
+            "smoothing wavelength of the right rail's profile, if it is read from a file",
             {&Scene::right});
   moves("track.right.displacement", displacements, "displacement of the right rail", &Scene::right,
         &SceneSide::displacement);
@@ -307,7 +309,9 @@ std::vector<Key> make_wheelset_keys() {
   };
   wheel("wheelset.wheel", "profile of both wheels", {&Scene::left, &Scene::right});
   keys.push_back(smoothing_key(along, "wheelset.wheel_smoothing_along",
-                               "the same of wheels that vary, on their circumference",
+                               "smoothing of wheels that vary: waves of this length around the "
+                               "circumference are halved; 0: the surface passes through the "
+                               "slices; auto: as the slices file says",
                                &SceneSide::wheel, {&Scene::left, &Scene::right}));
   keys.push_back(harmonics_key(
       "wheelset.harmonics",
@@ -347,13 +351,15 @@ std::vector<Key> make_wheelset_keys() {
   wheel("wheelset.left.wheel", "profile of the left wheel", {&Scene::left});
   keys.push_back(harmonics_key("wheelset.left.harmonics", "waves of the radius of the left wheel",
                                {&Scene::left}));
-  smoothing("wheelset.left.wheel_smoothing", "its smoothing wavelength, if read from a file",
+  smoothing("wheelset.left.wheel_smoothing",
+            "smoothing wavelength of the left wheel's profile, if it is read from a file",
             {&Scene::left});
   radius("wheelset.left.radius", "nominal radius of the left wheel", &Scene::left);
   wheel("wheelset.right.wheel", "profile of the right wheel", {&Scene::right});
   keys.push_back(harmonics_key("wheelset.right.harmonics", "waves of the radius of the right wheel",
                                {&Scene::right}));
-  smoothing("wheelset.right.wheel_smoothing", "its smoothing wavelength, if read from a file",
+  smoothing("wheelset.right.wheel_smoothing",
+            "smoothing wavelength of the right wheel's profile, if it is read from a file",
             {&Scene::right});
   radius("wheelset.right.radius", "nominal radius of the right wheel", &Scene::right);
   return keys;

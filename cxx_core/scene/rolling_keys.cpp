@@ -117,14 +117,17 @@ std::vector<Key> friction_keys() {
   return {
       friction_key("friction.coefficient", "coefficient of friction of each wheel", both),
       friction_places_key("friction.places",
-                          "the same by position on the wheel's profile, s from the taping line to "
+                          "coefficient of friction of each wheel by position on its profile, s "
+                          "from the taping line to "
                           "the field side; linear between the given positions, constant beyond",
                           both),
       friction_key("friction.left", "coefficient of friction of the left wheel", {&Scene::left}),
-      friction_places_key("friction.left_places", "the same by position on the left wheel",
+      friction_places_key("friction.left_places",
+                          "coefficient of friction by position on the profile of the left wheel",
                           {&Scene::left}),
       friction_key("friction.right", "coefficient of friction of the right wheel", {&Scene::right}),
-      friction_places_key("friction.right_places", "the same by position on the right wheel",
+      friction_places_key("friction.right_places",
+                          "coefficient of friction by position on the profile of the right wheel",
                           {&Scene::right}),
       friction_law_key({"friction.limit_ratio", "1.0", "0 to 1",
                         "fraction of the coefficient that remains at high slip speed (Polach's A); "

@@ -205,7 +205,7 @@ int legend_width(std::size_t lines) {
 
 std::string line_style(std::size_t lines) {
   return std::string("set grid back lt 1 lw 1 lc rgb '#d8d8d8'\nset tics out nomirror\n"
-                     "set lmargin 10\n") +
+                     "set lmargin 13\n") +
          (legend_width(lines) > 0 ? "set key outside right top vertical\n"
                                   : "set rmargin 3\nset key outside top center horizontal\n");
 }

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include "support/gnuplot.hpp"
 #include "support/numbers.hpp"
+#include "wrc_case/drawn_sides.hpp"
 
 namespace driver {
 namespace {
@@ -23,6 +26,10 @@ std::string force_text(double newtons) {
   const double value = thousands ? 1e-3 * newtons : newtons;
   const int decimals = value < 10.0 ? 2 : value < 100.0 ? 1 : 0;
   return fixed(value, decimals) + (thousands ? " kN" : " N");
+}
+
+std::string angle_text(double radians) {
+  return fixed(1e3 * radians, 1) + " mrad";
 }
 
 /// At most this number of bytes and three points, whole letters of UTF-8.
@@ -77,204 +84,53 @@ struct WarningNote {
   std::string labels;
 };
 
-/// A patch as it is drawn.
-struct DrawnPatch {
-  PatchName name;
-  double y = 0.0; ///< reference, track frame
-  double z = 0.0;
-  double angle = 0.0;
-  double force = 0.0;
-  double across = 0.0; ///< of the reference, developed, positive to the left
-  Range lateral;       ///< of the contact, from the reference, positive to the left
-  Range longitudinal;  ///< of the contact, track x
-
-  std::vector<std::string> areas;  ///< blocks: x, y, half sizes and colour of the elements
-  std::vector<std::string> arrows; ///< blocks: x, y, traction to the left and forward
-  double largest_traction = 0.0;
-  double arrow_step = 0.0; ///< between arrows, mm
-
-  std::string block;         ///< of data
-  bool has_contours = false; ///< lines of equal pressure; none on a grid of one row or column
-  [[nodiscard]] std::string contours() const { return block + "_contours"; }
-  [[nodiscard]] std::string label() const {
-    return force_text(force) + ", " + fixed(1e3 * angle, 1) + " mrad";
-  }
-};
-
-struct DrawnSide {
-  std::string name;
-  std::string rail; ///< blocks of data
-  std::string wheel;
-  std::vector<DrawnPatch> patches; ///< from right to left
-  Range across;                    ///< of all contacts, developed
-  Range along;
-};
-
-/// Developed: the distances between the references of neighbours one after the other, from that of
-/// the patch with the largest force.
-void develop(DrawnSide& side) {
-  std::sort(side.patches.begin(), side.patches.end(),
-            [](const DrawnPatch& one, const DrawnPatch& other) { return one.y < other.y; });
-  for (std::size_t i = 1; i < side.patches.size(); ++i) {
-    const DrawnPatch& before = side.patches[i - 1];
-    DrawnPatch& patch = side.patches[i];
-    patch.across = before.across + std::hypot(patch.y - before.y, patch.z - before.z);
-  }
-  const auto main = std::find_if(side.patches.begin(), side.patches.end(),
-                                 [](const DrawnPatch& patch) { return patch.name.index == 0; });
-  const double zero = main == side.patches.end() ? 0.0 : main->across;
-  for (DrawnPatch& patch : side.patches) {
-    patch.across -= zero;
-    side.across.include(patch.across + patch.lateral.least);
-    side.across.include(patch.across + patch.lateral.greatest);
-    side.along.include(patch.longitudinal.least);
-    side.along.include(patch.longitudinal.greatest);
-  }
-}
-
-/// The pressures of a patch over lateral (from its reference) and x, as a block of data.
-void write_pressure(Gnuplot& gnuplot, const Scene& scene, DrawnPatch& patch) {
-  const std::string& prefix = patch.name.prefix;
-  const auto x = scene.field(prefix + "x");
-  const auto y = scene.field(prefix + "y");
-  const auto z = scene.field(prefix + "z");
-  const auto pressure = scene.field(prefix + "pressure");
-  const double half_width = 0.5 * scene.number(prefix + "element_size.lateral");
-  const double half_length = 0.5 * scene.number(prefix + "element_size.longitudinal");
-  const auto length = static_cast<std::size_t>(scene.number(prefix + "grid.longitudinal"));
-  std::ostringstream data;
-  data.precision(9);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double lateral =
-        (y[i] - patch.y) * std::cos(patch.angle) + (z[i] - patch.z) * std::sin(patch.angle);
-    data << lateral << ' ' << x[i] << ' ';
-    if (pressure[i] > 0.0) {
-      data << pressure[i] << '\n';
-      patch.lateral.include(lateral - half_width);
-      patch.lateral.include(lateral + half_width);
-      patch.longitudinal.include(x[i] - half_length);
-      patch.longitudinal.include(x[i] + half_length);
-    } else {
-      data << "NaN\n";
-    }
-    data << ((i + 1) % length == 0 ? "\n" : "");
-  }
-  patch.block = gnuplot.block(data.str());
-  patch.has_contours =
-      length > 1 && x.size() > length && *std::max_element(pressure.begin(), pressure.end()) > 0.0;
-}
-
-constexpr const char* adhesion_colour = "0xcfe2f3";
-constexpr const char* slip_colour = "0xf6c7b6";
-
-/// The tractions of a patch, or of its parts, over lateral (from its reference) and x.
-void write_tractions(Gnuplot& gnuplot, const Scene& scene, DrawnPatch& patch) {
-  for (const PatchName& one : parts_with(scene, {patch.name}, creep_result)) {
-    const auto field = [&](const char* name) { return scene.field(one.prefix + name); };
-    const auto x = field("creep_x");
-    const auto y = field("creep_y");
-    const auto z = field("creep_z");
-    const auto pressure = field("creep_pressure");
-    const auto along = field("traction_x");
-    const auto across = field("traction_y");
-    const double friction = scene.number(one.prefix + "friction");
-    const double half_width = 0.5 * scene.number(one.prefix + "creep_element_size.lateral");
-    const double half_length = 0.5 * scene.number(one.prefix + "creep_element_size.longitudinal");
-    const auto columns =
-        static_cast<std::size_t>(scene.number(one.prefix + "creep_grid.longitudinal"));
-    const auto rows = static_cast<std::size_t>(scene.number(one.prefix + "creep_grid.lateral"));
-    constexpr std::size_t most_arrows = 14; // along and across
-    const std::size_t row_step = (rows + most_arrows - 1) / most_arrows;
-    const std::size_t column_step = (columns + most_arrows - 1) / most_arrows;
-    std::ostringstream areas;
-    std::ostringstream arrows;
-    areas.precision(9);
-    arrows.precision(9);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      if (!(pressure[i] > 0.0)) {
-        continue;
-      }
-      const double lateral =
-          (y[i] - patch.y) * std::cos(patch.angle) + (z[i] - patch.z) * std::sin(patch.angle);
-      const double traction = std::hypot(along[i], across[i]);
-      constexpr double on_bound = 1.0 - 1e-6;
-      const bool slips = traction >= on_bound * friction * pressure[i];
-      patch.largest_traction = std::max(patch.largest_traction, traction);
-      areas << lateral << ' ' << x[i] << ' ' << half_width << ' ' << half_length << ' '
-            << (slips ? slip_colour : adhesion_colour) << '\n';
-      if ((i / columns) % row_step == row_step / 2 &&
-          (i % columns) % column_step == column_step / 2) {
-        arrows << lateral << ' ' << x[i] << ' ' << across[i] << ' ' << along[i] << '\n';
+/// What the outlines show: the surroundings of the first touch, and all patches.
+struct OutlineFrame {
+  OutlineFrame(double touch_y, double touch_z, const DrawnSide& side) {
+    constexpr double beside = 45.0; // mm around the first touch
+    constexpr double below = 26.0;
+    constexpr double above = 34.0;
+    constexpr double room = 15.0; // mm around the reference of a patch
+    for (const double sign : {-1.0, 1.0}) {
+      y.include(touch_y + sign * beside);
+      for (const DrawnPatch& patch : side.patches) {
+        y.include(patch.y + sign * room);
+        z.include(patch.z + sign * room);
       }
     }
-    patch.arrow_step = std::max({patch.arrow_step, 2.0 * half_width * static_cast<double>(row_step),
-                                 2.0 * half_length * static_cast<double>(column_step)});
-    patch.areas.push_back(gnuplot.block(areas.str()));
-    patch.arrows.push_back(gnuplot.block(arrows.str()));
+    z.include(touch_z - below);
+    z.include(touch_z + above);
+    // As high as its panel, with the room on top, where arrows and legend are.
+    z.greatest = std::max(z.greatest, z.least + y.length() * (below + above) / (2.0 * beside));
+    scale = y.length() / (2.0 * beside);
   }
-}
+  Range y;
+  Range z;
+  double scale = 1.0; ///< of lengths to those of a frame without distant patches
+};
 
-/// Lines at fifths of the largest pressure of the side, as a block of data.
-void write_contours(std::ostream& out, const DrawnPatch& patch, double largest) {
-  out << "set contour base\nunset surface\nset cntrparam levels discrete ";
-  for (int fifth = 1; fifth < 5; ++fifth) {
-    out << (fifth > 1 ? "," : "") << 0.2 * fifth * largest;
-  }
-  out << "\nset table " << patch.contours() << "\nsplot " << patch.block
-      << " using 1:2:3 with lines\nunset table\nunset contour\nset surface\n";
-}
-
-DrawnSide write_side(Gnuplot& gnuplot, const Scene& scene, const std::string& name) {
-  const auto outline = [&](const std::string& body) {
-    return gnuplot.block(scene.field(name + '.' + body + "_y"),
-                         scene.field(name + '.' + body + "_z"));
-  };
-  DrawnSide side;
-  side.name = name;
-  side.rail = outline("rail");
-  side.wheel = outline("wheel");
-  for (const PatchName& patch : patches_of(scene, name)) {
-    const auto number = [&](const char* value) { return scene.number(patch.prefix + value); };
-    DrawnPatch& drawn = side.patches.emplace_back();
-    drawn.name = patch;
-    drawn.y = number("y");
-    drawn.z = number("z");
-    drawn.angle = number("plane_angle");
-    drawn.force = number("normal_force");
-    write_pressure(gnuplot, scene, drawn);
-    write_tractions(gnuplot, scene, drawn);
-    if (drawn.has_contours) {
-      write_contours(gnuplot.script(), drawn, scene.number(name + ".pmax"));
-    }
-  }
-  develop(side);
-  return side;
-}
-
-/// Profiles, the planes of the patches and the forces on the wheel along their normals.
+/// Profiles, the planes of the patches and the forces on the wheel, from their centroids.
 void plot_outlines(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side) {
   const double y = scene.number(side.name + ".rigid_contact.y");
   const double z = scene.number(side.name + ".rigid_contact.z");
-  constexpr double half_width = 45.0;
-  constexpr double below = 26.0;
-  constexpr double above = 34.0;
-  constexpr double half_plane = 9.0;     // mm, drawn
-  constexpr double longest_arrow = 20.0; // mm, of the largest force of this wheel
-  constexpr double shortest_arrow = 3.0;
+  const OutlineFrame frame(y, z, side);
+  const double half_plane = 9.0 * frame.scale;     // mm, drawn
+  const double longest_arrow = 20.0 * frame.scale; // mm, of the largest force of this wheel
+  const double shortest_arrow = 3.0 * frame.scale;
   std::ostream& out = gnuplot.script();
   out << "set title '" << side.name << " wheel, seen in driving direction'\n"
       << "set xlabel 'track y, mm (to the left)'\nset ylabel 'track z, mm'\n"
       << "set size ratio -1\nset key top left Left reverse samplen 2 opaque width -2\n"
-      << "set xrange [" << y + half_width << ':' << y - half_width << "]\nset yrange [" << z - below
-      << ':' << z + above << "]\n";
+      << "set xrange [" << frame.y.greatest << ':' << frame.y.least << "]\nset yrange ["
+      << frame.z.least << ':' << frame.z.greatest << "]\n";
   double largest = 0.0;
   for (const DrawnPatch& patch : side.patches) {
     largest = std::max(largest, patch.force);
   }
   for (const DrawnPatch& patch : side.patches) {
     const double length = std::max(longest_arrow * patch.force / largest, shortest_arrow);
-    out << "set arrow from " << patch.y << ',' << patch.z << " rto "
-        << -length * std::sin(patch.angle) << ',' << length * std::cos(patch.angle)
+    out << "set arrow from " << patch.centroid_y << ',' << patch.centroid_z << " rto "
+        << -length * std::sin(patch.force_angle) << ',' << length * std::cos(patch.force_angle)
         << " front lw 2 lc rgb '" << colour_of(patch.name.index)
         << "' head filled size screen 0.012,18\n";
   }
@@ -282,19 +138,20 @@ void plot_outlines(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side) 
   std::sort(by_force.begin(), by_force.end(), [](const DrawnPatch& one, const DrawnPatch& other) {
     return one.name.index < other.name.index;
   });
-  std::vector<std::string> items{side.rail + " with filledcurves y=" + general(z - 2.0 * below, 9) +
-                                     " fs solid fc rgb '#f3ebe3' notitle",
-                                 side.wheel +
-                                     " with filledcurves y=" + general(z + 2.0 * above, 9) +
-                                     " fs solid fc rgb '#e9eff8' notitle",
-                                 side.rail + " with lines lw 2 lc rgb '#8b5a2b' title 'rail'",
-                                 side.wheel + " with lines lw 2 lc rgb '#1f4e9e' title 'wheel'"};
+  std::vector<std::string> items{
+      side.rail + " with filledcurves y=" + general(frame.z.least - frame.z.length(), 9) +
+          " fs solid fc rgb '#f3ebe3' notitle",
+      side.wheel + " with filledcurves y=" + general(frame.z.greatest + frame.z.length(), 9) +
+          " fs solid fc rgb '#e9eff8' notitle",
+      side.rail + " with lines lw 2 lc rgb '#8b5a2b' title 'rail'",
+      side.wheel + " with lines lw 2 lc rgb '#1f4e9e' title 'wheel'"};
   for (const DrawnPatch& patch : by_force) {
-    const double dy = half_plane * std::cos(patch.angle);
-    const double dz = half_plane * std::sin(patch.angle);
+    const double dy = half_plane * std::cos(patch.plane_angle);
+    const double dz = half_plane * std::sin(patch.plane_angle);
     items.push_back(gnuplot.block({patch.y - dy, patch.y + dy}, {patch.z - dz, patch.z + dz}) +
                     " with lines lw 3 lc rgb '" + colour_of(patch.name.index) + "' title 'patch " +
-                    std::to_string(patch.name.index) + ": " + patch.label() + '\'');
+                    std::to_string(patch.name.index) + ": " + force_text(patch.force) + ", " +
+                    angle_text(patch.force_angle) + '\'');
   }
   items.push_back(gnuplot.block({y}, {z}) +
                   " with points pt 6 ps 1.2 lw 2 lc rgb 'black' title 'first touch'");
@@ -302,25 +159,99 @@ void plot_outlines(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side) 
   out << "unset arrow\n";
 }
 
-/// The axes of the pressures, mm: the same scale for both wheels.
-struct PressureAxes {
-  double width = 0.0;
-  double length = 0.0;
-
-  /// Takes in a side, with room for the labels around its patches.
-  void include(const DrawnSide& side) {
-    constexpr double share_across = 0.78;
-    constexpr double share_along = 0.62;
-    width = std::max({width, side.across.length() / share_across,
-                      side.along.length() / share_along * width_to_length});
-    length = width / width_to_length;
+/// The axes of pressures and tractions, mm: the same scale for all sides taken in.
+class PatchAxes {
+public:
+  /// A panel beside another, with room for the labels around its patches.
+  PatchAxes() = default;
+  /// The only panel of a row, without labels.
+  static PatchAxes of_row() {
+    PatchAxes axes;
+    axes.width_to_length_ = 3.4;
+    axes.share_along_ = 0.85;
+    return axes;
   }
-  static constexpr double width_to_length = 1.35;
+
+  void include(const DrawnSide& side) {
+    width_ = std::max({width_, side.across.length() / share_across_,
+                       side.along.length() / share_along_ * width_to_length_});
+  }
+  [[nodiscard]] double width() const { return width_; }
+  [[nodiscard]] double length() const { return width_ / width_to_length_; }
+
+private:
+  double width_ = 0.0;
+  double width_to_length_ = 1.35;
+  double share_across_ = 0.78; ///< of the patches in the width
+  double share_along_ = 0.62;
 };
+
+/// A distance between ticks, at least the given one: 1, 2 or 5 times a power of ten.
+double tick_distance(double least) {
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= least) {
+      return factor * power;
+    }
+  }
+  return 10.0 * power;
+}
+
+/// The lateral axis of a side. Where gaps are shortened, its ticks are those of the patches beside
+/// them; two lines and the length left out mark the gap.
+void write_axes(std::ostream& out, const DrawnSide& side, const PatchAxes& axes) {
+  const double right = side.across.middle() - 0.5 * axes.width();
+  const double left = side.across.middle() + 0.5 * axes.width();
+  out << "set size ratio -1\nset xrange [" << left << ':' << right << "]\nset yrange ["
+      << side.along.middle() - 0.5 * axes.length() << ':'
+      << side.along.middle() + 0.5 * axes.length()
+      << "]\nset xlabel 'along the planes of the patches, mm (to the left)'\n"
+      << "set ylabel 'track x, mm (forward)'\n";
+  if (side.gaps.empty()) {
+    return;
+  }
+  constexpr double most_ticks = 10.0;
+  const double step = tick_distance(axes.width() / most_ticks);
+  const double half_break = 0.012 * axes.width();
+  std::string ticks; // + 0.0: no -0
+  double begin = right;
+  for (std::size_t i = 0; i <= side.gaps.size(); ++i) {
+    const bool last = i == side.gaps.size();
+    const double end = last ? left : side.gaps[i].middle - 2.0 * half_break;
+    // Patches between two shortened gaps have the same shift.
+    const auto patch = std::find_if(side.patches.begin(), side.patches.end(),
+                                    [begin](const DrawnPatch& one) { return one.across > begin; });
+    if (patch != side.patches.end()) {
+      const double shift = patch->developed - patch->across;
+      for (double tick = std::ceil((begin + shift) / step); tick * step <= end + shift; ++tick) {
+        ticks += (ticks.empty() ? "'" : ",'") + general(tick * step + 0.0) + "' " +
+                 general(tick * step - shift, 9);
+      }
+    }
+    if (!last) {
+      const double middle = side.gaps[i].middle;
+      for (const double sign : {-1.0, 1.0}) {
+        const double place = middle + sign * half_break;
+        out << "set arrow from " << place << ", graph 0 to " << place
+            << ", graph 1 nohead dt 2 lw 1.5 lc rgb '#909090'\n";
+      }
+      out << "set label '" << fixed(side.gaps[i].left_out, 0) << " mm left out' at "
+          << middle + 3.0 * half_break
+          << ", graph 0.5 center rotate by 90 font ',9' tc rgb '#606060'\n";
+      begin = middle + 2.0 * half_break;
+    }
+  }
+  out << "set xtics (" << ticks << ")\n";
+}
+
+/// Before the axes of the next side.
+void end_axes(std::ostream& out) {
+  out << "unset label\nunset arrow\nset xtics autofreq\n";
+}
 
 /// The pressures of all patches of a side over the developed lateral coordinate.
 void plot_pressure(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
-                   const PressureAxes& axes) {
+                   const PatchAxes& axes) {
   std::ostream& out = gnuplot.script();
   if (side.patches.empty()) {
     out << "set title '" << side.name << " wheel: no contact'\nset xrange [-1:1]\n"
@@ -330,20 +261,17 @@ void plot_pressure(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
   const auto value = [&](const char* name) { return scene.number(side.name + '.' + name); };
   out << "set title 'p_{max} " << fixed(value("pmax"), 0) << " MPa, area "
       << fixed(value("area"), 1) << " mm^2, vertical " << force_text(value("vertical_force"))
-      << "'\nset xlabel 'along the planes of the patches, mm (to the left)'\n"
-      << "set ylabel 'track x, mm (forward)'\nset cblabel 'pressure, MPa' offset 1\n"
-      << "set size ratio -1\nset key off\nset xrange [" << side.across.middle() + 0.5 * axes.width
-      << ':' << side.across.middle() - 0.5 * axes.width << "]\nset yrange ["
-      << side.along.middle() - 0.5 * axes.length << ':' << side.along.middle() + 0.5 * axes.length
-      << "]\nset cbrange [0:" << value("pmax") << "]\n";
+      << "'\nset cblabel 'pressure, MPa' offset 1\nset rmargin " << colour_box_margin
+      << "\nset key off\nset cbrange [0:" << value("pmax") << "]\n";
+  write_axes(out, side, axes);
   // Labels of neighbours stand above and below in turn.
   bool above = true;
   for (const DrawnPatch& patch : side.patches) {
     const double end = above ? patch.longitudinal.greatest : patch.longitudinal.least;
     out << "set label \"patch " << patch.name.index << "\\n"
         << force_text(patch.force) << "\\n"
-        << fixed(1e3 * patch.angle, 1) << " mrad\" at " << patch.across + patch.lateral.middle()
-        << ',' << end << " center offset 0," << (above ? 2.9 : -1.1) << " tc rgb '"
+        << angle_text(patch.force_angle) << "\" at " << patch.across + patch.lateral.middle() << ','
+        << end << " center offset 0," << (above ? 2.9 : -1.1) << " tc rgb '"
         << colour_of(patch.name.index) << "' front\n";
     above = !above;
   }
@@ -352,25 +280,22 @@ void plot_pressure(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
   std::vector<double> along;
   for (const DrawnPatch& patch : side.patches) {
     const std::string shifted = " using ($1+(" + general(patch.across, 9) + ")):2";
-    items.push_back(patch.block + shifted + ":3 with image");
+    items.push_back(patch.block + shifted + ":($3 > 0 ? $3 : NaN) with image");
     if (patch.has_contours) {
       items.push_back(patch.contours() + shifted + " with lines lc rgb '#404040' lw 0.8");
     }
-    const auto centroid = [&](const char* name) {
-      return scene.number(patch.name.prefix + "centroid." + name);
-    };
-    centres.push_back(patch.across + (centroid("y") - patch.y) * std::cos(patch.angle) +
-                      (centroid("z") - patch.z) * std::sin(patch.angle));
-    along.push_back(centroid("x"));
+    centres.push_back(patch.across + patch.in_plane(patch.centroid_y, patch.centroid_z));
+    along.push_back(patch.centroid_x);
   }
   items.push_back(gnuplot.block(centres, along) + " with points pt 2 ps 1 lw 1.5 lc rgb 'black'");
   gnuplot.plot(items);
-  out << "unset label\n";
+  end_axes(out);
+  out << "set rmargin -1\n";
 }
 
 /// The tractions of all patches of a side as arrows, on areas of slip and adhesion.
 void plot_tractions(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
-                    const PressureAxes& axes) {
+                    const PatchAxes& axes) {
   std::ostream& out = gnuplot.script();
   double largest = 0.0;
   double step = 0.0;
@@ -378,14 +303,7 @@ void plot_tractions(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
     largest = std::max(largest, patch.largest_traction);
     step = std::max(step, patch.arrow_step);
   }
-  out << "set xrange [" << side.across.middle() + 0.5 * axes.width << ':'
-      << side.across.middle() - 0.5 * axes.width << "]\nset yrange ["
-      << side.along.middle() - 0.5 * axes.length << ':' << side.along.middle() + 0.5 * axes.length
-      << "]\nset size ratio -1\n";
-  if (!(largest > 0.0)) {
-    out << "set title '" << side.name << " wheel: no tractions'\nplot NaN notitle\n";
-    return;
-  }
+  write_axes(out, side, axes);
   double along = 0.0;
   double across = 0.0;
   for (const DrawnPatch& patch : side.patches) {
@@ -395,10 +313,9 @@ void plot_tractions(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
       across += number("creep_force.lateral");
     }
   }
-  out << "set title 'tractions on the wheel: " << fixed(1e-3 * along, 2) << " kN forward, "
-      << fixed(1e-3 * across, 2) << " kN to the left, at most " << fixed(largest, 0)
-      << " MPa'\nset xlabel 'along the planes of the patches, mm (to the left)'\n"
-      << "set ylabel 'track x, mm (forward)'\nset key top right opaque width 1\n";
+  out << "set title 'tractions on the " << side.name << " wheel: " << fixed(1e-3 * along, 2)
+      << " kN forward, " << fixed(1e-3 * across, 2) << " kN to the left, at most "
+      << fixed(largest, 0) << " MPa'\nset key top right opaque width 1\n";
   std::vector<std::string> items;
   for (const DrawnPatch& patch : side.patches) {
     const std::string place = "($1+(" + general(patch.across, 9) + ")):2";
@@ -421,7 +338,23 @@ void plot_tractions(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
                   " title 'adhesion'");
   items.push_back(std::string("NaN with boxes fs solid lc rgb ") + slip_colour + " title 'slip'");
   gnuplot.plot(items);
+  end_axes(out);
 }
+
+/// Panels beside each other: of the sides that have something to show.
+struct PanelRow {
+  PanelRow(const std::vector<DrawnSide>& all, const std::function<bool(const DrawnSide&)>& has,
+           std::function<void(const DrawnSide&, bool alone)> plot_side)
+      : plot(std::move(plot_side)) {
+    for (const DrawnSide& side : all) {
+      if (has(side)) {
+        sides.push_back(&side);
+      }
+    }
+  }
+  std::vector<const DrawnSide*> sides;
+  std::function<void(const DrawnSide&, bool alone)> plot; ///< whether alone in its row
+};
 
 } // namespace
 
@@ -430,49 +363,59 @@ void draw_scene(const Scene& scene, const std::filesystem::path& path,
   Gnuplot gnuplot;
   const bool has_pressures = scene.get_text("solve.until") == "mechanics";
   std::vector<DrawnSide> sides;
-  PressureAxes axes;
+  PatchAxes axes;
   for (const std::string& name : sides_of(scene)) {
-    DrawnSide& side = sides.emplace_back(write_side(gnuplot, scene, name));
-    if (!has_pressures) {
-      side.patches.clear();
-    }
-    axes.include(side);
+    sides.push_back(write_side(gnuplot, scene, name, has_pressures));
+    axes.include(sides.back());
   }
+  std::vector<PanelRow> rows;
+  rows.emplace_back(
+      sides, [](const DrawnSide&) { return true; },
+      [&](const DrawnSide& side, bool) { plot_outlines(gnuplot, scene, side); });
+  rows.emplace_back(
+      sides, [&](const DrawnSide&) { return has_pressures; },
+      [&](const DrawnSide& side, bool) { plot_pressure(gnuplot, scene, side, axes); });
+  rows.emplace_back(
+      sides,
+      [](const DrawnSide& side) {
+        return std::any_of(side.patches.begin(), side.patches.end(),
+                           [](const DrawnPatch& patch) { return patch.largest_traction > 0.0; });
+      },
+      [&](const DrawnSide& side, bool alone) {
+        PatchAxes own = PatchAxes::of_row();
+        own.include(side);
+        plot_tractions(gnuplot, scene, side, alone ? own : axes);
+      });
+  rows.emplace_back(
+      sides,
+      [&](const DrawnSide& side) {
+        return !parts_with(scene, patches_of(scene, side.name), stress_result).empty();
+      },
+      [&](const DrawnSide& side, bool) { plot_stress(gnuplot, scene, side.name); });
+  std::erase_if(rows, [](const PanelRow& row) { return row.sides.empty(); });
   gnuplot.script() << "set grid lc rgb '#dddddd'\nset tics out nomirror\n" << pressure_palette;
-  const bool has_tractions = std::any_of(sides.begin(), sides.end(), [](const DrawnSide& side) {
-    return std::any_of(side.patches.begin(), side.patches.end(),
-                       [](const DrawnPatch& patch) { return !patch.areas.empty(); });
-  });
-  const bool has_stresses = std::any_of(sides.begin(), sides.end(), [&](const DrawnSide& side) {
-    return !parts_with(scene, patches_of(scene, side.name), stress_result).empty();
-  });
-  const std::size_t rows =
-      1U + (has_pressures ? 1U : 0U) + (has_tractions ? 1U : 0U) + (has_stresses ? 1U : 0U);
-  gnuplot.begin_multiplot(rows, sides.size());
+  gnuplot.begin_multiplot(std::max<std::size_t>(rows.size(), 1), sides.size());
   const WarningNote note(warnings, std::max<std::size_t>(sides.size(), 1));
-  std::size_t row = 0;
-  const auto plot_row = [&](const auto& plot_side) {
-    ++row;
-    bool noted = row < rows;
-    for (const DrawnSide& side : sides) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const PanelRow& row = rows[i];
+    const bool alone = row.sides.size() < sides.size();
+    bool noted = i + 1 < rows.size();
+    for (const DrawnSide* side : row.sides) {
+      if (alone) { // on the whole row
+        gnuplot.script() << "set size 1," << 1.0 / static_cast<double>(rows.size())
+                         << "\nset origin 0,"
+                         << 1.0 - static_cast<double>(i + 1) / static_cast<double>(rows.size())
+                         << '\n';
+      }
       gnuplot.script() << (noted ? "" : note.begin());
-      plot_side(side);
+      row.plot(*side, alone);
       gnuplot.script() << (noted ? "" : note.end());
       noted = true;
     }
-  };
-  plot_row([&](const DrawnSide& side) { plot_outlines(gnuplot, scene, side); });
-  if (has_pressures) {
-    plot_row([&](const DrawnSide& side) { plot_pressure(gnuplot, scene, side, axes); });
-  }
-  if (has_tractions) {
-    plot_row([&](const DrawnSide& side) { plot_tractions(gnuplot, scene, side, axes); });
-  }
-  if (has_stresses) {
-    plot_row([&](const DrawnSide& side) { plot_stress(gnuplot, scene, side.name); });
+    gnuplot.script() << (alone ? "set multiplot next\n" : "");
   }
   const int columns = std::max(static_cast<int>(sides.size()), 1);
-  gnuplot.draw(path, 650 * columns, 450 * static_cast<int>(rows) + note.height());
+  gnuplot.draw(path, 650 * columns, 450 * static_cast<int>(rows.size()) + note.height());
 }
 
 } // namespace driver

@@ -200,23 +200,6 @@ void print_patch_places(const Scene& scene, std::ostream& out) {
                             {"fill", "%", "fill", 8, 1, 1e2}});
 }
 
-void print_near_contacts(const Scene& scene, std::ostream& out) {
-  constexpr int most = 3; // further ones are of no use
-  for (const std::string& side : sides_of(scene)) {
-    const int count = scene.count_of(side + ".near_contacts");
-    for (int i = 0; i < std::min(count, most); ++i) {
-      const std::string prefix = side + ".near_contacts." + std::to_string(i) + '.';
-      out << "Near contact, " << side << ": " << fixed(scene.number(prefix + "distance"), 4)
-          << " mm apart at s_wheel " << fixed(scene.number(prefix + "s_wheel"), 2) << " mm, angle "
-          << fixed(1e3 * scene.number(prefix + "angle"), 1) << " mrad\n";
-    }
-    if (count > most) {
-      out << "Near contact, " << side << ": " << count - most << " more within "
-          << general(scene.get_number("solve.near_tolerance"), 4) << " mm\n";
-    }
-  }
-}
-
 void print_texts(const Scene& scene, std::ostream& out) {
   for (const std::string& correction : texts_of(scene, "corrections")) {
     out << "Corrected: " << one_line(correction) << '\n';

@@ -26,6 +26,8 @@ std::vector<PatchName> all_patches(const Scene& scene);
 
 /// A table for people.
 void print_table(const Scene& scene, std::ostream& out);
+/// The part of it on places that nearly touch at first touch.
+void print_near_contacts(const Scene& scene, std::ostream& out);
 /// All results as one object.
 json json_of(const Scene& scene);
 /// One line of column names, one line per side.
@@ -52,9 +54,11 @@ inline constexpr const char* stress_result = "stress.von_mises_max";
 /// Sections of stresses below the surface as a legacy VTK unstructured grid in the track frame,
 /// stresses at its points. Throws Failure if there are none.
 void write_stress_vtk(const Scene& scene, const std::filesystem::path& path);
-/// Draws the section with the greatest stress of a side.
+/// Draws the section with the greatest stress of a side, which has one.
 class Gnuplot;
 void plot_stress(Gnuplot& gnuplot, const Scene& scene, const std::string& side);
+/// Letters beside the colours of a panel, for their numbers and label.
+inline constexpr int colour_box_margin = 7;
 
 /// Draws a .png or .svg file. Seen in driving direction: the left wheel is on the left. `warnings`
 /// stand below.

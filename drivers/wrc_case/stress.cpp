@@ -23,7 +23,7 @@ void write_stress_vtk(const Scene& scene, const std::filesystem::path& path) {
     const auto columns = static_cast<std::size_t>(
         std::count(depths.begin(), depths.end(), depths.empty() ? 0.0 : depths.front()));
     const double mirror = patch.side == "left" ? 1.0 : -1.0;
-    const double angle = number("angle");
+    const double angle = number("plane_angle");
     const std::size_t offset = grid.points.size();
     for (std::size_t i = 0; i < places.size(); ++i) {
       const double x = across ? number("stress.along") : places[i];
@@ -59,11 +59,6 @@ void write_stress_vtk(const Scene& scene, const std::filesystem::path& path) {
 void plot_stress(Gnuplot& gnuplot, const Scene& scene, const std::string& side) {
   std::ostream& out = gnuplot.script();
   const auto patches = parts_with(scene, patches_of(scene, side), stress_result);
-  out << "set size noratio\n";
-  if (patches.empty()) {
-    out << "set title '" << side << " wheel: no stresses'\nplot NaN notitle\n";
-    return;
-  }
   // That of the greatest stress.
   const PatchName& patch =
       *std::max_element(patches.begin(), patches.end(), [&](const auto& one, const auto& other) {
@@ -86,14 +81,16 @@ void plot_stress(Gnuplot& gnuplot, const Scene& scene, const std::string& side) 
   const double depth = scene.number(patch.prefix + "stress.depth");
   const double place = scene.number(patch.prefix + (across ? "stress.across" : "stress.along"));
   const std::string block = gnuplot.block(data.str());
-  out << "set title 'in the " << scene.get_text("stress.body") << ": von Mises "
-      << fixed(greatest, 0) << " MPa, " << fixed(depth, 2) << " mm below the surface'\nset xlabel '"
+  out << "set size noratio\nset rmargin " << colour_box_margin << "\nset title '" << side
+      << " wheel, in the " << scene.get_text("stress.body") << ": von Mises " << fixed(greatest, 0)
+      << " MPa, " << fixed(depth, 2) << " mm below the surface'\nset xlabel '"
       << (across ? "across the patch, mm (to the field side)" : "along the patch, mm (forward)")
       << "'\nset ylabel 'depth, mm'\nset cblabel 'von Mises stress, MPa' offset 1\n"
       << "set xrange [" << places.front() << ':' << places.back() << "]\nset yrange ["
       << depths.back() << ":0]\nset cbrange [0:" << greatest << "]\nset key off\n";
   gnuplot.plot({block + " using 1:2:3 with image",
                 gnuplot.block({place}, {depth}) + " with points pt 2 ps 1.5 lw 2 lc rgb 'black'"});
+  out << "set rmargin -1\n";
 }
 
 } // namespace driver

@@ -37,7 +37,7 @@ PatchMesh mesh_of(const Scene& scene, const PatchName& patch) {
   mesh.columns = static_cast<std::size_t>(number("grid.longitudinal"));
   // Steps from the element centres; of a single row or column from the plane's angle.
   const double outwards = patch.side == "left" ? 1.0 : -1.0;
-  const double angle = number("angle");
+  const double angle = number("plane_angle");
   const double width = number("element_size.lateral");
   mesh.lateral = {0.0, outwards * width * std::cos(angle), outwards * width * std::sin(angle)};
   mesh.longitudinal = {number("element_size.longitudinal"), 0.0, 0.0};

@@ -113,6 +113,15 @@ void begin(const Options& options, std::optional<driver::Study>& study,
   }
 }
 
+/// How many scenes were solved, and how many of those have warnings.
+std::string summary_of(std::int64_t scenes, std::int64_t failed, std::int64_t warned) {
+  return std::to_string(scenes) + (scenes == 1 ? " scene: " : " scenes: ") +
+         (failed > 0    ? std::to_string(failed) + " not solved"
+          : scenes == 1 ? "solved"
+                        : "all solved") +
+         ", " + (warned == 0 ? "no" : std::to_string(warned) + " with") + " warnings";
+}
+
 /// What rank 0 does; the exit code.
 int lead(const Options& options, const driver::Study& study, const driver::Ranks& ranks,
          driver::Journal& journal) {
@@ -121,9 +130,9 @@ int lead(const Options& options, const driver::Study& study, const driver::Ranks
   driver::run_study(study, options.threads, ranks, journal, progress);
   const fs::path folder = options.folder;
   if (journal.count() < study.scene_count()) {
-    std::cerr << "wrc_sweep: interrupted, " << journal.count() << " of " << study.scene_count()
-              << " scenes are kept in " << (folder / (study.name + ".rows")).string()
-              << "; --resume goes on\n";
+    std::cerr << driver::Ranks::program() << ": interrupted, " << journal.count() << " of "
+              << study.scene_count() << " scenes are kept in "
+              << (folder / (study.name + ".rows")).string() << "; --resume goes on\n";
     return interrupted_code;
   }
   study.refuse_changed_inputs();
@@ -135,23 +144,23 @@ int lead(const Options& options, const driver::Study& study, const driver::Ranks
   for (const driver::PictureRequest& picture : study.pictures) {
     driver::draw_picture(picture, data, folder, findings);
     if (const std::string note = driver::note_of_scenes_left_out(picture, study); !note.empty()) {
-      std::cerr << "wrc_sweep: " << note << '\n';
+      std::cerr << driver::Ranks::program() << ": " << note << '\n';
     }
   }
   if (!options.quiet) {
     std::cout << findings.str();
-    std::cout << study.scene_count() << " scenes, " << journal.failed()
-              << " of them with a status other than ok, " << journal.warnings().scenes()
-              << " with warnings\n";
+    std::cout << summary_of(study.scene_count(), journal.failed(), journal.warnings().scenes())
+              << '\n';
     for (const fs::path& path : files) {
       std::cout << path.string() << '\n';
     }
   }
-  journal.warnings().print(study.scene_count(), files[0].string(), std::cerr);
+  std::cerr << journal.warnings().text(driver::Ranks::program(), study.scene_count(),
+                                       files[0].string());
   const bool none_solved = journal.failed() == study.scene_count();
   journal.remove();
   if (none_solved) {
-    std::cerr << "wrc_sweep: no scene has the status ok; " << files[0].string()
+    std::cerr << driver::Ranks::program() << ": no scene has the status ok; " << files[0].string()
               << " has the message of each\n";
     return unsolved_code;
   }
@@ -170,9 +179,9 @@ int make_page(const Options& options) {
   if (!options.quiet) {
     std::cout << options.page << '\n';
   }
-  made.warnings.print(study.scene_count(), options.page, std::cerr);
+  std::cerr << made.warnings.text(driver::Ranks::program(), study.scene_count(), options.page);
   if (made.with_results == 0) {
-    std::cerr << "wrc_sweep: no scene has results; " << options.page
+    std::cerr << driver::Ranks::program() << ": no scene has results; " << options.page
               << " has the message of each\n";
     return unsolved_code;
   }
@@ -232,7 +241,7 @@ int sweep(const Options& options, const driver::Ranks& ranks, bool& started) {
 int main(int argc, char** argv) {
   CLI::App app(
       "Solves a study: a wheel/rail scene for every combination of the values listed for its keys.",
-      "wrc_sweep");
+      driver::Ranks::program());
   Options options;
   app.add_option("STUDY", options.study_file, "study file in TOML, or the name of a shipped study")
       ->type_name("FILE|NAME");
@@ -245,7 +254,8 @@ int main(int argc, char** argv) {
   app.add_option("--wheels", options.changes.wheels,
                  "wheels to study, built-in names and files, instead of those of the study")
       ->type_name("NAME|FILE");
-  app.add_option("--rails", options.changes.rails, "rails to study, likewise")
+  app.add_option("--rails", options.changes.rails,
+                 "rails to study, built-in names and files, instead of those of the study")
       ->type_name("NAME|FILE");
   app.add_option("--set", options.changes.assignments,
                  "set one or more keys, overriding the study file; lists and ranges as in the file")
@@ -272,7 +282,8 @@ int main(int argc, char** argv) {
         throw;
       }
       if (started) {
-        std::cerr << "wrc_sweep, rank " << ranks.rank() << ": " << error.what() << '\n';
+        std::cerr << driver::Ranks::program() << ", rank " << ranks.rank() << ": " << error.what()
+                  << '\n';
       }
       ranks.abort(1);
     }

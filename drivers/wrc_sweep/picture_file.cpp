@@ -42,6 +42,11 @@ PanelRequest read_panel(const toml::table& table, const std::string& name, const
   PanelRequest panel;
   panel.y_label = reader.text("y_label", "");
   panel.y_factor = reader.number("y_factor", 1.0);
+  const std::string style = reader.text("style", "lines");
+  if (style != "lines" && style != "points") {
+    reader.refuse("style", in_quotes(style), "\"lines\" and \"points\"");
+  }
+  panel.is_joined = style == "lines";
   panel.statistic = reader.text("statistic", panel.statistic);
   if (panel.statistic != "max" && panel.statistic != "mean" && panel.statistic != "min") {
     reader.refuse("statistic", in_quotes(panel.statistic), "\"max\", \"mean\" and \"min\"");

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "support/gnuplot.hpp"
 #include "wrc_sweep/pictures.hpp"
@@ -29,7 +30,7 @@ std::string joined(const std::string& one, const std::string& other) {
 }
 
 std::vector<DrawnLine> lines_of(const PictureRequest& picture, const PictureData& data,
-                                const PanelRequest& panel, Range& range) {
+                                const PanelRequest& panel, Range& range, bool& are_whole) {
   std::vector<DrawnLine> lines;
   const std::vector<double> x = places_of(picture, data);
   const std::vector<SeriesEntry> series = series_of(picture, data);
@@ -39,6 +40,8 @@ std::vector<DrawnLine> lines_of(const PictureRequest& picture, const PictureData
       const auto y = line_of(picture, data, where, panel.lines[i].result);
       for (const double value : y) {
         range.include(panel.y_factor * value);
+        are_whole = are_whole && (std::isnan(value) ||
+                                  std::rint(panel.y_factor * value) == panel.y_factor * value);
       }
       const auto warned = warned_places_of(picture, data, where, panel.lines[i].result);
       std::vector<double> y_warned;
@@ -53,6 +56,14 @@ std::vector<DrawnLine> lines_of(const PictureRequest& picture, const PictureData
     }
   }
   return lines;
+}
+
+/// The axis of the values: if there are few whole ones only, such as numbers of patches, without
+/// ticks between them.
+std::string y_axis(const Range& range, bool are_whole) {
+  constexpr double most_ticks = 10.0;
+  const bool by_one = are_whole && !range.empty() && range.length() <= most_ticks;
+  return range.command("y") + (by_one ? "set ytics 1\n" : "set ytics autofreq\n");
 }
 
 } // namespace
@@ -78,15 +89,17 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
   const std::string mark_size = places_of(picture, data).size() > most_large ? "0.4" : "0.9";
   for (const PanelRequest& panel : picture.panels) {
     Range range;
+    bool are_whole = true;
     std::vector<std::string> items;
-    const std::vector<DrawnLine> lines = lines_of(picture, data, panel, range);
+    const std::vector<DrawnLine> lines = lines_of(picture, data, panel, range, are_whole);
     for (const DrawnLine& line : lines) {
       constexpr std::size_t marks = 4;
-      items.push_back(gnuplot.block(line.data) + " with linespoints lw 2 ps " + mark_size + " pt " +
-                      std::to_string(5 + 2 * (line.mark % marks)) + " dt " +
-                      std::to_string(1 + line.mark % marks) + " lc rgb '" +
-                      line_colour(line.colour, picture.series.empty() ? most_lines : groups) +
-                      "' title " + gnuplot_text(line.title, Markup::subscripts));
+      items.push_back(
+          gnuplot.block(line.data) + (panel.is_joined ? " with linespoints" : " with points") +
+          " lw 2 ps " + mark_size + " pt " + std::to_string(5 + 2 * (line.mark % marks)) +
+          (panel.is_joined ? " dt " + std::to_string(1 + line.mark % marks) : "") + " lc rgb '" +
+          line_colour(line.colour, picture.series.empty() ? most_lines : groups) + "' title " +
+          gnuplot_text(line.title, Markup::subscripts));
     }
     for (const DrawnLine& line : lines) {
       if (!line.warned.empty()) { // hollow
@@ -95,7 +108,7 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
       }
     }
     gnuplot.script() << "set ylabel " << gnuplot_text(panel.y_label, Markup::subscripts) << '\n'
-                     << range.command("y");
+                     << y_axis(range, are_whole);
     gnuplot.plot(items);
     gnuplot.script() << end_of_warning_note();
   }

@@ -19,6 +19,8 @@ public:
   Ranks& operator=(const Ranks&) = delete;
   ~Ranks();
 
+  /// What the program is called: wrc_sweep, or with MPI wrc_sweep_mpi.
+  static const char* program();
   [[nodiscard]] int rank() const { return rank_; }
   [[nodiscard]] int size() const { return size_; }
 

@@ -65,6 +65,10 @@ Ranks::~Ranks() {
   }
 }
 
+const char* Ranks::program() {
+  return "wrc_sweep_mpi";
+}
+
 bool Ranks::agree(bool go_on) const {
   int word = go_on ? 1 : 0;
   if (size_ > 1) {

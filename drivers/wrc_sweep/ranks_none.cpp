@@ -10,6 +10,10 @@ Ranks::Ranks() = default;
 
 Ranks::~Ranks() = default;
 
+const char* Ranks::program() {
+  return "wrc_sweep";
+}
+
 bool Ranks::agree(bool go_on) const {
   return go_on;
 }

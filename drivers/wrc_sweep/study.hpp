@@ -39,6 +39,7 @@ struct LineRequest {
 struct PanelRequest {
   std::string y_label;
   double y_factor = 1.0;
+  bool is_joined = true;         ///< lines between the points
   std::string statistic = "max"; ///< ranking: of all scenes of a bar; or "mean", "min"
   std::vector<LineRequest> lines;
 };

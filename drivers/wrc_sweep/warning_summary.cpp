@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <ostream>
 #include <set>
 #include <string_view>
 
@@ -86,19 +85,24 @@ std::vector<std::string> WarningSummary::lines() const {
   return lines;
 }
 
-void WarningSummary::print(std::int64_t all, const std::string& where, std::ostream& out) const {
+std::string WarningSummary::text(const std::string& program, std::int64_t all,
+                                 const std::string& where) const {
   if (scenes_ == 0) {
-    return;
+    return "";
   }
-  out << "wrc_sweep: " << scenes_ << " of " << all << " scenes have warnings; " << where
-      << " has the texts of each scene, here with the numbers of the first one\n";
+  std::string text = program + ": " + std::to_string(scenes_) + " of " + std::to_string(all) +
+                     (all == 1       ? " scene has"
+                      : scenes_ == 1 ? " scenes has"
+                                     : " scenes have") +
+                     " warnings. All of them are in " + where + "; the first of each kind:\n";
   const std::vector<std::string> kinds = lines();
   for (std::size_t i = 0; i < std::min(kinds.size(), most_kinds); ++i) {
-    out << "  " << kinds[i] << '\n';
+    text += "  " + kinds[i] + '\n';
   }
   if (kinds.size() > most_kinds) {
-    out << "  and " << kinds.size() - most_kinds << " more kinds\n";
+    text += "  and " + std::to_string(kinds.size() - most_kinds) + " more kinds\n";
   }
+  return text;
 }
 
 } // namespace driver

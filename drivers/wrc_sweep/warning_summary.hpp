@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <iosfwd>
 #include <map>
 #include <string>
 #include <vector>
@@ -25,9 +24,11 @@ public:
   [[nodiscard]] std::int64_t scenes() const { return scenes_; }
   /// Each kind with the number of its scenes and its first text, the most frequent one first.
   [[nodiscard]] std::vector<std::string> lines() const;
-  /// Prints each kind with the number of its scenes, the most frequent one first; nothing if there
-  /// is none. `all`: scenes there are; `where`: what has every text.
-  void print(std::int64_t all, const std::string& where, std::ostream& out) const;
+  /// What `program` says of them: the first warning of each kind with the number of its scenes, the
+  /// most frequent kind first; nothing if there is none. `all`: scenes there are; `where`: the file
+  /// of all warnings.
+  [[nodiscard]] std::string text(const std::string& program, std::int64_t all,
+                                 const std::string& where) const;
 
 private:
   struct Kind {

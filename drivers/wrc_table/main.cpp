@@ -112,14 +112,17 @@ int main(int argc, char** argv) {
   app.add_option("--set", assignments, "set keys of the scene, as in wrc_case")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--lateral", options.lateral, "reach in lateral position, to both sides [10 mm]");
-  app.add_option("--roll", options.roll, "reach in roll against the rail [0.01 rad]");
-  app.add_option("--yaw", options.yaw, "reach in yaw [0.02 rad]");
-  app.add_option("--load", options.load, "largest load of a wheel [150000 N]");
-  app.add_option("--tolerance", options.tolerance,
-                 "error over load beyond which steps with a solver take the exact solution [none]");
+  app.add_option("--lateral", options.lateral,
+                 "reach in lateral position, to both sides, 0.5 to 30 mm [10]");
+  app.add_option("--roll", options.roll, "reach in roll against the rail, 0.001 to 0.1 rad [0.01]");
+  app.add_option("--yaw", options.yaw, "reach in yaw, 0.001 to 0.1 rad [0.02]");
+  app.add_option("--load", options.load, "largest load of a wheel, 1000 to 1e6 N [150000]");
+  app.add_option(
+      "--tolerance", options.tolerance,
+      "error over load beyond which steps with a solver take the exact solution, 0 to 1 [none]");
   app.add_option("--fineness", options.fineness, "of the nodes, 0.2 to 4 [1]");
-  app.add_option("--threads", options.threads, "threads [1]");
+  app.add_option("--threads", options.threads,
+                 "threads, 1 to 1024; the table does not depend on it [1]");
   app.add_flag("--show", show, "print what the file holds, and make nothing");
   app.footer(explanation);
   return driver::run_program(app, argc, argv, [&] {

@@ -18,6 +18,7 @@ _RAIL, _WHEEL, _PLANE = "#8b5a2b", "#1f4e9e", "#c00000"
 _ADHESION, _SLIP = "#cfe2f3", "#f6c7b6"
 _HALF_PLANE = 9.0  # mm, drawn of the plane of a patch
 _AROUND = (45.0, 26.0, 34.0)  # mm beside, below and above the first touch
+_AROUND_PATCH = 15.0  # mm around its reference
 _MOST_ARROWS = 14  # along and across a patch
 _ON_BOUND = 1.0 - 1e-6  # share of friction times pressure from which an element slips
 
@@ -121,7 +122,7 @@ def _draw_outlines(axes: Any, result: Result, side: str, units: list[str]) -> No
     axes.plot(wheel.rail_y, wheel.rail_z, color=_RAIL, label="rail")
     axes.plot(wheel.wheel_y, wheel.wheel_z, color=_WHEEL, label="wheel")
     for index, patch in enumerate(_patches(result, side)):
-        along = _HALF_PLANE * mm * np.array([np.cos(patch.angle), np.sin(patch.angle)])
+        along = _HALF_PLANE * mm * np.array([np.cos(patch.plane_angle), np.sin(patch.plane_angle)])
         y, z = patch.y + along[0] * np.array([-1, 1]), patch.z + along[1] * np.array([-1, 1])
         label = f"patch {index}: {1e3 * patch.angle:.1f} mrad"
         if f"{patch._prefix}normal_force" in result._names:
@@ -129,9 +130,13 @@ def _draw_outlines(axes: Any, result: Result, side: str, units: list[str]) -> No
         axes.plot(y, z, color=_PLANE, linewidth=2.5, label=label)
     axes.plot(touch.y, touch.z, "o", color="black", fillstyle="none", label="first touch")
     beside, below, above = (mm * length for length in _AROUND)
+    # To the left and upwards: around the first touch, and all patches.
+    across = up * np.array([touch.y, *(patch.y for patch in _patches(result, side))])
+    height = up * np.array([touch.z, *(patch.z for patch in _patches(result, side))])
+    room = _AROUND_PATCH * mm
     axes.set(title=f"{side} wheel, seen in driving direction", aspect="equal",
-             xlim=(touch.y + up * beside, touch.y - up * beside),
-             ylim=(touch.z - up * below, touch.z + up * above),
+             xlim=(up * max(across[0] + beside, across.max() + room), up * min(across[0] - beside, across.min() - room)),
+             ylim=(up * min(height[0] - below, height.min() - room), up * max(height[0] + above, height.max() + room)),
              xlabel=f"track y, {units[0]}", ylabel=f"track z, {units[0]}")
     axes.grid(color="#dddddd")
     axes.legend(loc="upper left", fontsize="small")
@@ -150,7 +155,7 @@ def _developed(patches: list[Group]) -> dict[str, float]:
 
 def _in_plane(patch: Group, y: Array, z: Array) -> Array:
     """Along the plane of a patch, from its reference."""
-    along: Array = (y - patch.y) * np.cos(patch.angle) + (z - patch.z) * np.sin(patch.angle)
+    along: Array = (y - patch.y) * np.cos(patch.plane_angle) + (z - patch.z) * np.sin(patch.plane_angle)
     return along
 
 
@@ -169,6 +174,7 @@ def _draw_pressures(figure: Any, axes: Any, result: Result, side: str, units: li
     places = _developed(patches)
     for patch in patches:
         lateral = places[patch._prefix] + _in_plane(patch, patch.field("y"), patch.field("z"))
+        lateral[:] = lateral.mean(axis=1, keepdims=True)  # without rounding, of which matplotlib warns
         pressure = np.where(patch.pressure > 0.0, patch.pressure, np.nan)
         mesh = axes.pcolormesh(lateral, patch.field("x"), pressure, vmin=0.0, vmax=wheel.pmax,
                                cmap=_pressure_colours(), shading="nearest")

@@ -204,6 +204,7 @@ TEST_F(WrcSweep, FailedScenesHaveRows) {
   EXPECT_NE(lines[2].find("nowhere.prr"), std::string::npos) << lines[2];
   const Outcome none = run("s.toml --set pose.lateral=100 --out none");
   EXPECT_EQ(none.exit_code, 3);
+  EXPECT_TRUE(none.out.starts_with("2 scenes: 2 not solved, no warnings\n")) << none.out;
   EXPECT_NE(none.error.find("no scene has the status ok; none/s.csv"), std::string::npos)
       << none.error;
 }
@@ -316,7 +317,7 @@ TEST_F(WrcSweep, EveryShippedStudyRunsAndDraws) {
     const Outcome outcome =
         run(std::string("'").append(file.path()) + "' " + coarse + " --threads 2 --out o");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-    EXPECT_NE(outcome.out.find(" 0 of them"), std::string::npos) << file.path() << outcome.out;
+    EXPECT_NE(outcome.out.find(" all solved, "), std::string::npos) << file.path() << outcome.out;
     for (const std::string& line : lines_of(outcome.out)) {
       if (line.ends_with(".png")) {
         EXPECT_TRUE(is_png(line)) << line;

@@ -27,6 +27,27 @@ TEST_F(WrcTable, ShowsTheTableThatItMakes) {
   }
 }
 
+/// The ranges that --help states are those that are checked.
+TEST_F(WrcTable, HelpStatesTheRangesOfItsOptions) {
+  const std::string help = run("--help").out;
+  struct Case {
+    const char* option;
+    const char* range;
+    const char* beyond;
+  };
+  for (const auto& [option, range, beyond] :
+       {Case{"lateral", "0.5 to 30 mm", "31"}, Case{"roll", "0.001 to 0.1 rad", "0.11"},
+        Case{"yaw", "0.001 to 0.1 rad", "0.11"}, Case{"load", "1000 to 1e6 N", "1.1e6"},
+        Case{"tolerance", "0 to 1", "1.1"}, Case{"fineness", "0.2 to 4", "4.1"},
+        Case{"threads", "1 to 1024", "1025"}}) {
+    const std::size_t line = help.find(std::string("  --") + option + ' ');
+    ASSERT_NE(line, std::string::npos) << help;
+    const std::string text = help.substr(line, help.find("\n  --", line + 1) - line);
+    EXPECT_NE(text.find(range), std::string::npos) << text;
+    run(std::string("a.table --") + option + ' ' + beyond).expect_refusal({option, " to "});
+  }
+}
+
 TEST_F(WrcTable, RefusesMistakes) {
   run("a.table --fineness 9").expect_refusal({"fineness = 9", "0.2 to 4"});
   run("none.table --show").expect_refusal({"none.table"});

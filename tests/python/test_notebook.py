@@ -110,6 +110,24 @@ def test_panels_are_drawn_on_axes_of_the_caller():
         one.plot(ax=axes[0], side="right")
 
 
+def test_outlines_hold_all_patches():
+    """On wing and nose of a crossing, 78 mm apart, in both frames."""
+    figure_module = pytest.importorskip("matplotlib.figure")
+    rail = str(PROJECT / "drivers/studies/crossing/crossing.slcs")
+    for frame in ("left-up", "right-down"):
+        scene = wrcontact.Scene(accuracy=1e-2, side="left", longitudinal=180, frame=frame)
+        scene["track.left.rail"] = rail
+        result = scene.solve()
+        assert len(result.left.patches) == 2
+        ax = figure_module.Figure().subplots()
+        result.plot(ax=ax, panel="outlines", side="left")
+        assert (ax.get_xlim()[0] > ax.get_xlim()[1]) == (frame == "left-up")
+        assert (ax.get_ylim()[0] < ax.get_ylim()[1]) == (frame == "left-up")
+        for patch in result.left.patches:
+            assert min(ax.get_xlim()) + 14 < patch.y < max(ax.get_xlim()) - 14
+            assert min(ax.get_ylim()) + 14 < patch.z < max(ax.get_ylim()) - 14
+
+
 def test_the_notebook_of_the_examples_runs(tmp_path, monkeypatch):
     pytest.importorskip("matplotlib")
     notebook = json.loads((PROJECT / "python_bindings/examples/contact.ipynb").read_text(encoding="utf-8"))
