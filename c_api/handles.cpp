@@ -5,6 +5,7 @@
 
 #include "base/fork.hpp"
 #include "scene/scene_keys.hpp"
+#include "scene/unused_keys.hpp"
 
 namespace wrc {
 
@@ -23,7 +24,8 @@ using AllTables = Tables<SceneObject, SolverObject, HistoryObject, ProfileObject
 
 void before_fork() noexcept {
   try {
-    scene_keys(); // no other thread is making its tables
+    scene_keys();              // no other thread is making its tables ...
+    (void)UnusedKeys(Scene()); // ... or this one
   } catch (...) {
     // No memory for them yet.
   }

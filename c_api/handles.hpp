@@ -40,6 +40,9 @@ struct SceneObject {
   std::string input_text; ///< the last text of an input requested
   std::string unit;       ///< the last one requested
   std::string error;
+  /// A name that no result has, until the error's text is read: programs try names, and looking for
+  /// the nearest ones takes as long as a small solution.
+  std::optional<std::string> unknown_result;
 
   /// Takes a new result in; returns its status.
   wrc_status take_result(SceneResult&& new_result);

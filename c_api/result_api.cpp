@@ -41,6 +41,11 @@ const char* text_at(const List& list, int64_t index, Text&& text) {
                    "no " + std::string(what) + " is named \"" + name + '"');
 }
 
+[[noreturn]] void throw_unknown_result(wrc::SceneObject& scene, const char* name) {
+  scene.unknown_result = name;
+  throw_unknown("result", name);
+}
+
 /// The number with the id ids[place]; not-a-number if the scene has none.
 double number_by_id(wrc::SceneObject& scene, const int32_t* ids, std::size_t place) {
   const auto id = wrc::unpack(ids[place]);
@@ -61,7 +66,7 @@ wrc_status wrc_scene_number(wrc_scene* scene, const char* name, double* value) {
     wrc::require_pointer(value, "value");
     const auto found = wrc::number_value(*object.result, name, object.scene.convention);
     if (!found) {
-      throw_unknown("result", name);
+      throw_unknown_result(object, name);
     }
     *value = *found;
     return WRC_OK;
@@ -69,12 +74,12 @@ wrc_status wrc_scene_number(wrc_scene* scene, const char* name, double* value) {
 }
 
 wrc_status wrc_scene_number_id(wrc_scene* scene, const char* name, int32_t* id) {
-  return wrc::guard(scene, [&](wrc::SceneObject&) {
+  return wrc::guard(scene, [&](wrc::SceneObject& object) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(id, "id");
     const auto found = wrc::number_id(name);
     if (!found) {
-      throw_unknown("result", name);
+      throw_unknown_result(object, name);
     }
     const auto packed = wrc::pack(*found);
     if (!packed) {
@@ -94,7 +99,7 @@ wrc_status wrc_scene_number_unit(wrc_scene* scene, const char* name, const char*
     wrc::require_pointer(unit, "unit");
     const auto found = wrc::number_id(name);
     if (!found) {
-      throw_unknown("result", name);
+      throw_unknown_result(object, name);
     }
     object.unit = wrc::number_unit(*found, object.scene.convention.units);
     *unit = object.unit.c_str();
@@ -125,7 +130,7 @@ wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value
     const auto found = std::find_if(texts.begin(), texts.end(),
                                     [name](const auto& entry) { return entry.first == name; });
     if (found == texts.end()) {
-      throw_unknown("result", name);
+      throw_unknown_result(object, name);
     }
     *value = found->second.c_str();
     return WRC_OK;

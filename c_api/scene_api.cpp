@@ -1,4 +1,8 @@
+#include <utility>
+
+#include "base/nearest_names.hpp"
 #include "handles.hpp"
+#include "scene/number_ids.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_keys.hpp"
 
@@ -35,6 +39,24 @@ Type value_of_type(const wrc::Scene& scene, const char* key, const char* type) {
                    std::string(key) + ": its value is not a " + type);
 }
 
+/// Completes the text of an error that is about the name of a result.
+void add_nearest_results(wrc::SceneObject& scene) {
+  const std::optional<std::string> name = std::exchange(scene.unknown_result, std::nullopt);
+  if (name && scene.error == "no result is named \"" + *name + '"') {
+    if (wrc::number_id(*name)) {
+      scene.error += ": the name is known, but this solution has no such number";
+      return;
+    }
+    std::vector<std::string> names = wrc::possible_number_names();
+    if (scene.result) {
+      for (auto& [text, value] : wrc::text_values(*scene.result)) {
+        names.push_back(text);
+      }
+    }
+    scene.error += "; nearest: " + wrc::nearest_names(*name, names);
+  }
+}
+
 } // namespace
 
 extern "C" {
@@ -48,6 +70,10 @@ void wrc_scene_destroy(wrc_scene* scene) {
 }
 
 const char* wrc_scene_error(const wrc_scene* scene) {
+  wrc::look_at<bool>(scene, false, [](wrc::SceneObject& object) {
+    add_nearest_results(object);
+    return true;
+  });
   return wrc::error_of(scene);
 }
 

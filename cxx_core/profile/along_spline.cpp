@@ -28,7 +28,8 @@ void check(std::span<const double> places, double smoothing_length, double perio
                              "a finite number above that of the slice before");
   if (period > 0.0 && !(places.back() - places.front() < period))
     throw_invalid_argument("angles of the slices", places.back() - places.front(),
-                           "less than one revolution, " + text_of(period));
+                           "allowed is less than one revolution, " + short_text_of(period) +
+                               ": leave out the last slice if it repeats the first");
   if (!(smoothing_length >= 0.0) || !std::isfinite(smoothing_length))
     throw_invalid_argument("smoothing length along", smoothing_length, "0 or more");
 }

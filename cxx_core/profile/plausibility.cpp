@@ -31,6 +31,15 @@ constexpr double least_reach = 20.0;
 /// origin: measured: worn rails of the collection have their crown at up to 1.7 mm below 0.
 constexpr double crown_tolerance = 5.0;
 
+/// A wheel that is given as a rail: how wide its flange and its tread are, and what may be as high
+/// as the tread beyond the tip, mm. origin: measured: flanges of the collection are 28 to 38 mm
+/// wide, treads beside them 95 to 111. Of rails a crossing has parts 29 mm wide and 38 mm off the
+/// rest, which is 54 mm wide; one with wings a groove 38 mm wide and 49 mm deep, one with a guard
+/// rail a groove of 52 and 47 mm.
+constexpr Position flange_width_range{20.0, 45.0};
+constexpr double least_tread_width = 75.0;
+constexpr double most_beyond_tip = 10.0;
+
 /// Depth below the top that a wheel touches, and depth of a chamfer, mm.
 /// origin: published: gauge faces are measured 14 mm below the top, chamfers are 5 mm high (EN
 /// 13715).
@@ -267,7 +276,19 @@ void check_wheel(std::span<const Position> points, double tape_offset, bool is_a
     check_flange_back(points, *flange, tape_offset, log);
 }
 
+bool is_inside(double value, const Position& range) {
+  return value >= range[0] && value <= range[1];
+}
+
 void check_rail(std::span<const Position> points, Log& log) {
+  if (const std::optional<Flange> flange = flange_of(points);
+      flange && is_inside(flange->width, flange_width_range) &&
+      is_inside(flange->height, flange_range) && flange->tread_width >= least_tread_width &&
+      flange->beyond_tip <= most_beyond_tip)
+    log.warn(WarningClass::profile_dimensions,
+             "the shape is that of a wheel, with a flange " + fixed_text(flange->height, 0) +
+                 " mm high beside a tread " + fixed_text(flange->tread_width, 0) +
+                 " mm wide; expected is a rail");
   const std::optional<Head> head = head_of(points);
   if (head && head->is_down)
     log.warn(WarningClass::profile_signs, "the head points down: " + fixed_text(head->top_width) +

@@ -141,11 +141,19 @@ std::optional<Flange> flange_of(std::span<const Position> points) {
   if (flange.width < least_flange_width || flange.width < plainly_wider * other.width)
     return std::nullopt;
   const Position lateral = extent_of(points, 0);
+  double left = 0.0;
+  double right = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (std::abs(0.5 * (points[i][1] + points[i - 1][1]) - level) <= off_tread)
+      (points[i][0] < flange.extreme[0] ? left : right) +=
+          std::abs(points[i][0] - points[i - 1][0]);
   return Flange{is_down,
                 flange.extreme[0] > 0.5 * (lateral[0] + lateral[1]),
                 flange.width,
                 other.width,
                 std::abs(flange.extreme[1] - level),
+                std::max(left, right),
+                std::min(left, right),
                 flange.extreme};
 }
 

@@ -22,6 +22,8 @@ struct Flange {
   double width = 0.0;      ///< mm, 8 mm above the tread
   double other_width = 0;  ///< mm, of the part that rises on the other side
   double height = 0.0;     ///< mm, of the tip above the tread
+  double tread_width = 0;  ///< mm, within 8 mm of the tread's height, to one side of the tip
+  double beyond_tip = 0;   ///< mm, the same to the other side, where there is less
   Position tip{};          ///< the point farthest from the tread
 };
 

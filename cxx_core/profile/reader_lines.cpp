@@ -26,6 +26,13 @@ void Log::refuse(std::size_t line, const std::string& text) const {
   throw Error(ErrorCode::file_malformed, name_ + ":" + std::to_string(line) + ": " + text);
 }
 
+void Log::refuse_slice(int slice) const {
+  if (slice != 0)
+    refuse("slice = " + std::to_string(slice) +
+           ", allowed with a slices file (.slcs, .slcw) or a project file of MiniProf; this file "
+           "has one profile");
+}
+
 void Log::guess(const std::string& text, const std::string& remedy) {
   if (strict_)
     refuse("strict reading refuses guesses: " + text + "; " + remedy);

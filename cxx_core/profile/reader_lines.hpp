@@ -23,6 +23,8 @@ public:
   /// Throws Error(file_malformed): "<file>: <text>" or "<file>:<line>: <text>".
   [[noreturn]] void refuse(const std::string& text) const;
   [[noreturn]] void refuse(std::size_t line, const std::string& text) const;
+  /// A number of a slice for a file of one profile.
+  void refuse_slice(int slice) const;
   /// A change that the file or the options ask for.
   void note(const std::string& text) { corrections_.push_back(text); }
   /// A change that rests on a guess; an error in strict mode. `remedy` says how to avoid it.

@@ -348,10 +348,12 @@ RawProfile read_miniprof(std::string_view text, int choice, Log& log) {
   Header header;
   Counts counts;
   const std::vector<Section> sections = sections_of(text, log);
-  if (sections.empty())
+  if (sections.empty()) {
+    log.refuse_slice(choice);
     read_plain(raw, header, counts, text, log);
-  else
+  } else {
     read_section(raw, header, counts, text, sections, chosen_section(sections, choice, log), log);
+  }
   if (raw.points.empty())
     log.refuse(line_count(text, log),
                "the file ends without a row of " + std::to_string(header.columns) + " numbers");

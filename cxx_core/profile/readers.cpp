@@ -204,6 +204,8 @@ ReadResult complete(RawProfile& raw, std::string_view name, const std::string& o
 
 RawProfile parse(std::string_view text, ProfileFormat format, const ReadOptions& options,
                  Log& log) {
+  if (format != ProfileFormat::miniprof)
+    log.refuse_slice(options.slice);
   switch (format) {
   case ProfileFormat::simpack:
     return reading::read_simpack(text, log);
@@ -308,9 +310,11 @@ ReadResult profile_through(std::span<const Position> points, std::string_view na
   RawProfile raw;
   try {
     for (std::size_t i = 0; i < points.size(); ++i) {
-      for (const double coordinate : points[i])
-        if (!std::isfinite(coordinate))
-          log.refuse("point " + std::to_string(i) + " is not finite");
+      for (const std::size_t coordinate : {0, 1})
+        if (const double value = points[i][coordinate]; !std::isfinite(value))
+          log.refuse("point " + std::to_string(i) + ": " +
+                     (coordinate == 0 ? "lateral" : "height") + " = " + text_of(value) +
+                     ", allowed are finite numbers");
       reading::add_point(raw, points[i], i, log);
     }
     raw.lines.clear();

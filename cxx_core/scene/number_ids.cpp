@@ -133,6 +133,28 @@ std::optional<NumberId> number_id(std::string_view name) {
   return found ? std::optional(id) : std::nullopt;
 }
 
+std::vector<std::string> possible_number_names() {
+  std::vector<std::string> names;
+  const auto add = [&names](const std::string& group, std::span<const Prefix> prefixes) {
+    for (const Prefix& prefix : prefixes) {
+      with_table(prefix.group, [&](const auto& table) {
+        for (const auto& number : table) {
+          names.push_back(group + std::string(prefix.text) + std::string(number.name));
+        }
+        return true;
+      });
+    }
+  };
+  add("", scene_prefixes);
+  for (const std::string side : {"left.", "right."}) {
+    add(side, side_prefixes);
+    add(side + "near_contacts.0.", near_contact_prefixes);
+    add(side + "patches.0.", patch_prefixes);
+    add(side + "patches.0.parts.0.", patch_prefixes);
+  }
+  return names;
+}
+
 std::optional<std::int32_t> pack(const NumberId& id) {
   if (id.index > max_packed_index || id.part > max_packed_part + 1) {
     return std::nullopt;

@@ -10,7 +10,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/number_group.hpp"
 
@@ -26,6 +28,10 @@ struct NumberId {
 
 /// What a name stands for, whether or not a result has it; none if no result ever has.
 std::optional<NumberId> number_id(std::string_view name);
+
+/// Names that results may have: all of a scene and both wheels, those of near contacts, patches and
+/// their parts with index 0.
+std::vector<std::string> possible_number_names();
 
 /// Indices that a packed id has room for.
 inline constexpr std::size_t max_packed_index = 1023; // not a tuning constant

@@ -5,6 +5,7 @@
 /// Thread rule: a plain value.
 #pragma once
 
+#include <bitset>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,6 +67,9 @@ struct SceneSide {
   std::optional<Creepages> creepages;
 };
 
+/// Keys by their ids, the indices in scene_keys (scene/scene_keys.hpp).
+using KeySet = std::bitset<256>;
+
 struct Scene : WheelOptions {
   Convention convention; ///< of the numbers outside; those here are in mm, y left, z up
 
@@ -116,6 +120,10 @@ struct Scene : WheelOptions {
   Precision precision = Precision::mixed;
   double near_tolerance = 0.1; ///< contacts listed as near: distance at first touch, mm
   int threads = 1;
+
+  /// Keys that were set, other than to the word that is their default; which of them have no effect
+  /// beside others is in scene/unused_keys.hpp.
+  KeySet given;
 
   Scene();
 

@@ -3,70 +3,33 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/nearest_names.hpp"
 #include "scene/scene_key_table.hpp"
 
 namespace wrc {
 namespace {
 
 const std::vector<Key>& keys() {
-  static const std::vector<Key> all = make_scene_keys();
+  static const std::vector<Key> all = [] {
+    std::vector<Key> made = make_scene_keys();
+    if (made.size() > KeySet().size()) {
+      throw Error(ErrorCode::internal, "KeySet is smaller than the number of keys");
+    }
+    return made;
+  }();
   return all;
 }
 
-/// Letters to insert, drop or replace between two words (Levenshtein 1966); points and underscores
-/// are the same letter.
-std::size_t edit_distance(std::string_view one, std::string_view other) {
-  std::vector<std::size_t> row(other.size() + 1); // from what was read of `one` to parts of `other`
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (const char letter : one) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t i = 0; i < other.size(); ++i) {
-      const bool same = letter == other[i] || (letter == '_' && other[i] == '.');
-      const std::size_t replaced = diagonal + (same ? 0 : 1);
-      diagonal = row[i + 1];
-      row[i + 1] = std::min({replaced, diagonal + 1, row[i] + 1});
-    }
-  }
-  return row.back();
-}
-
-std::size_t after_point(std::string_view name, std::size_t begin) {
-  return std::min(name.find('.', begin), name.size()) + 1;
-}
-
-/// The keys that differ least from a word, groups left out at either end counting nothing.
-std::string nearest_keys(std::string_view word) {
-  constexpr std::size_t longest_word =
-      64;                 // origin: derived: more than any key has, so that it ends
-  constexpr int most = 4; // origin: reasoned: a line holds them
-  std::size_t least = std::numeric_limits<std::size_t>::max();
-  std::string text;
-  int count = 0;
+std::vector<std::string> names_of_keys() {
+  std::vector<std::string> names;
   for (const Key& key : keys()) {
-    std::size_t distance = std::numeric_limits<std::size_t>::max();
-    const std::string_view name = key.description.name;
-    for (std::size_t begin = 0; begin <= name.size(); begin = after_point(name, begin)) {
-      for (std::size_t end = begin; end <= name.size();) {
-        end = after_point(name, end);
-        const std::string_view part = name.substr(begin, end - begin - 1);
-        distance = std::min(distance, edit_distance(word.substr(0, longest_word), part));
-      }
-    }
-    if (distance < least) {
-      least = distance;
-      text = key.description.name;
-      count = 1;
-    } else if (distance == least && count++ < most) {
-      text.append(" ").append(key.description.name);
-    }
+    names.emplace_back(key.description.name);
   }
-  return text;
+  return names;
 }
 
 const Key& find_key(std::string_view name) {
@@ -74,7 +37,8 @@ const Key& find_key(std::string_view name) {
                                   [name](const Key& key) { return key.description.name == name; });
   if (found == keys().end()) {
     throw Error(ErrorCode::unknown_name,
-                "unknown key " + std::string(name) + "; nearest: " + nearest_keys(name) +
+                "unknown key " + std::string(name) +
+                    "; nearest: " + nearest_names(name, names_of_keys()) +
                     "; all are listed by wrc_scene_key, wrc_case --help, wrcontact.keys() in "
                     "Python, wrc_keys in Octave");
   }
@@ -125,6 +89,25 @@ std::optional<std::string> allowed_for(const Key& key, const Convention& convent
          rest;
 }
 
+/// A text where a key takes no such word. A number in quotes, or with a unit or a decimal comma, is
+/// reported as such.
+[[noreturn]] void refuse_text(const Key& key, const Convention& convention,
+                              std::string_view value) {
+  const std::string text = '"' + std::string(value) + '"';
+  const bool begins_as_number =
+      value.find_first_of("0123456789") == std::min(value.find_first_not_of("+-."), value.size());
+  const bool is_ratio = value.find(':') != std::string_view::npos;
+  if (!key.set_number || !begins_as_number || is_ratio) {
+    refuse(key, text);
+  }
+  const std::optional<std::string> theirs =
+      convention == Convention{} ? std::nullopt : allowed_for(key, convention);
+  throw_invalid_argument(
+      std::string(key.description.name), text,
+      (number_of(value) ? "a text; write the number without quotes; " : "not a number; ") +
+          ("allowed is " + theirs.value_or(std::string(key.description.allowed))));
+}
+
 /// Permitted ranges are declared in mm, y left, z up, and stated as the value was given.
 [[noreturn]] void refuse_number(const Key& key, const Convention& convention, double given,
                                 double inside) {
@@ -147,6 +130,10 @@ double checked_number(const Key& key, const Convention& convention, double value
     refuse_number(key, convention, value, inside);
   }
   return inside;
+}
+
+void mark_given(Scene& scene, const Key& key, bool given = true) {
+  scene.given[static_cast<std::size_t>(&key - keys().data())] = given;
 }
 
 } // namespace
@@ -174,6 +161,7 @@ KeyValue key_value(const Scene& scene, std::string_view name) {
 void set_number(Scene& scene, std::string_view name, double value) {
   const Key& key = find_key(name);
   key.set_number(scene, checked_number(key, scene.convention, value));
+  mark_given(scene, key);
 }
 
 std::int32_t key_id(std::string_view name) {
@@ -195,14 +183,17 @@ void set_numbers_by_id(Scene& scene, std::span<const std::int32_t> ids,
   // Nothing fails from here on: numbers change no convention, and setting one takes no memory.
   for (std::size_t i = 0; i < ids.size(); ++i) {
     key_of(i).set_number(scene, from_caller(values[i], scene.convention, key_of(i).dimension));
+    mark_given(scene, key_of(i));
   }
 }
 
 void set_text(Scene& scene, std::string_view name, std::string_view value) {
   const Key& key = find_key(name);
   if (!key.set_text || !key.set_text(scene, value)) {
-    refuse(key, '"' + std::string(value) + '"');
+    refuse_text(key, scene.convention, value);
   }
+  const std::string_view usual = key.description.default_value; // a word is in quotes
+  mark_given(scene, key, usual.size() < 2 || usual.substr(1, usual.size() - 2) != value);
 }
 
 void set_numbers(Scene& scene, std::string_view name, std::span<const double> values) {
@@ -218,6 +209,7 @@ void set_numbers(Scene& scene, std::string_view name, std::span<const double> va
                             ? ", ...], " + std::to_string(values.size()) + " values"
                             : "]"));
   }
+  mark_given(scene, key);
 }
 
 void set_profile(Scene& scene, std::string_view name, const Profile& profile) {

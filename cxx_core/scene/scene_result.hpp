@@ -14,6 +14,7 @@
 #include "scene/profile_warnings.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_wheel.hpp"
+#include "scene/unused_keys.hpp"
 
 namespace wrc {
 
@@ -42,6 +43,7 @@ struct SceneResult {
   std::optional<SceneWheel> right;
   StageMilliseconds time;
   std::vector<std::string> corrections; ///< made to profiles read from files
+  UnusedKeys unused_keys;               ///< of the scene
   ProfileWarnings profile_warnings;     ///< of the profiles it was solved with
   std::optional<NoisyScene> noise;      ///< with noisy profiles, see spread_of
 };

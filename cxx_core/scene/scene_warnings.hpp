@@ -1,4 +1,4 @@
-/// All warnings of a result: those of the profiles, and of both wheels.
+/// All warnings of a result: those of keys without effect, of the profiles, and of both wheels.
 ///
 /// Thread rule: pure functions.
 #pragma once
@@ -10,9 +10,9 @@
 
 namespace wrc {
 
-/// How many warnings there are: of profiles and both wheels.
+/// How many warnings there are: of keys, profiles and both wheels.
 std::size_t warning_count(const SceneResult& result);
-/// All of them, those of profiles first, then those of the left and the right wheel; each begins
-/// with its source: "wheel profile worn.prw: ", "left: ".
+/// All of them, those of keys and profiles first, then those of the left and the right wheel; each
+/// begins with its source: "load.left ", "wheel profile worn.prw: ", "left: ".
 Warnings all_warnings(const SceneResult& result);
 } // namespace wrc

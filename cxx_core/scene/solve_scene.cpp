@@ -374,6 +374,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   }
   const SceneSurfaces surfaces = shared->surfaces.get(scene);
   prepare_solvers(scene);
+  result.unused_keys = UnusedKeys(scene);
   result.corrections = surfaces.corrections;
   result.profile_warnings = surfaces.warnings;
   result.time.profile = surfaces.profile_milliseconds;
@@ -400,7 +401,15 @@ SceneSolver::SceneSolver(SceneSolver&&) noexcept = default;
 SceneSolver& SceneSolver::operator=(SceneSolver&&) noexcept = default;
 
 SceneResult SceneSolver::solve(const Scene& scene) {
-  return state_->solve(scene);
+  try {
+    return state_->solve(scene);
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    if (scene.convention == Convention{} || text.find(" mm") == std::string::npos) {
+      throw;
+    }
+    throw Error(error.code(), text + " (in mm, N, MPa, y left, z up)");
+  }
 }
 
 CreepResult SceneSolver::solve_creep(const Scene& scene, const WheelResult& wheel,

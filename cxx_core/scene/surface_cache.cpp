@@ -15,7 +15,11 @@ namespace {
 
 [[noreturn]] void refuse_name(const std::string& key, const std::string& name, ProfileKind kind,
                               const Error& error) {
-  std::string text = key + " = \"" + name + "\": allowed is a profile file or one of";
+  std::string text = key + " = \"" + name + "\": ";
+  if (is_sliced(ProfileChoice{name})) { // built-in names would not help
+    throw Error(ErrorCode::unknown_name, text + error.what());
+  }
+  text += "allowed is a profile file or one of";
   for (const auto known : standard_profile_names(kind)) {
     text += ' ';
     text += known;
@@ -53,6 +57,9 @@ Profile read_file(const ProfileChoice& choice, const ReadOptions& options, Profi
     }
     return std::move(read.profile);
   } catch (const Error& error) {
+    if (error.code() == ErrorCode::file_malformed) {
+      throw Error(error.code(), key + ": " + error.what());
+    }
     if (error.code() != ErrorCode::file_unreadable) {
       throw;
     }

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/nearest_names.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_keys.hpp"
 
@@ -33,7 +34,9 @@ TableGrid::TableGrid(const Scene& scene, std::string_view keys, const double* va
   for (const std::string& name : words_of(results)) {
     const auto id = number_id(name);
     if (!id) {
-      throw Error(ErrorCode::unknown_name, "results: there is no result \"" + name + '"');
+      throw Error(ErrorCode::unknown_name,
+                  "results: there is no result \"" + name +
+                      "\"; nearest: " + nearest_names(name, possible_number_names()));
     }
     results_.push_back({name, *id});
   }

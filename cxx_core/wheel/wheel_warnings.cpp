@@ -121,10 +121,13 @@ void warn_of_patches(const WheelRequest& request, WheelSolution& result) {
                  text_of(vertical_convention_limit) + "): use solve.gap = \"tangent\"");
       }
     } else if (patch.plane_error > request.accuracy) {
-      warn(WarningClass::patch_turn, "the rail turns by " + short_text_of(patch.turn.range()) +
-                                         " rad within a patch that is solved " +
-                                         (patch.frame.curve ? "along a curve" : "as a plane") +
-                                         ": estimated error " + short_text_of(patch.plane_error));
+      warn(WarningClass::patch_turn,
+           "the rail turns by " + short_text_of(patch.turn.range()) +
+               " rad within a patch that is solved " +
+               (patch.frame.curve ? "along a curve" : "as a plane") + ": estimated error " +
+               short_text_of(patch.plane_error) +
+               ", more than solve.accuracy = " + text_of(request.accuracy) +
+               (request.curved == CurvedChoice::no ? "; solve.curved = \"auto\" reduces it" : ""));
     }
   }
 }

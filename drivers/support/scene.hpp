@@ -45,7 +45,7 @@ inline std::vector<std::string> texts_of(const Scene& scene, const std::string& 
   return texts;
 }
 
-/// Warnings of the profiles a scene was solved with; those of the wheels stand behind them.
+/// Warnings of the keys and profiles a scene was solved with; those of the wheels follow.
 inline std::vector<std::string> warnings_of_profiles(const Scene& scene) {
   std::vector<std::string> warnings = scene.warnings();
   for (const char* side : side_names) {

@@ -37,7 +37,30 @@ void set_bare(Scene& scene, const std::string& key, const std::string& text) {
   }
 }
 
+constexpr const char* scene_file = "scene file";
+
+/// Throws Failure naming file and line if a table has a key that the library does not know.
+void refuse_unknown_keys(const Scene& scene, const std::string& path, const toml::table& table,
+                         const std::string& prefix) {
+  for (const auto& [key, node] : table) {
+    const std::string name = name_within(prefix, key);
+    if (const toml::table* inner = node.as_table()) {
+      if (allowed(name).empty()) { // a range of values is refused as such
+        refuse_unknown_keys(scene, path, *inner, name + '.');
+      }
+      continue;
+    }
+    try {
+      (void)scene.key_id(name);
+    } catch (const wrcontact::Error& error) {
+      throw Failure(std::string(scene_file) + ' ' + path + ", line " +
+                    std::to_string(key.source().begin.line) + ": " + error.what());
+    }
+  }
+}
+
 void apply_table(Scene& scene, const std::string& path, const toml::table& table) {
+  refuse_unknown_keys(scene, path, table, "");
   Values values;
   flatten(table, "", values);
   for (auto& [key, value] : values) {
@@ -47,8 +70,6 @@ void apply_table(Scene& scene, const std::string& path, const toml::table& table
   }
   set_values(scene, values);
 }
-
-constexpr const char* scene_file = "scene file";
 
 } // namespace
 

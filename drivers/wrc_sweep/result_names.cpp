@@ -137,6 +137,18 @@ std::string name_now(const std::string& name, const std::vector<std::string>& kn
   return same != known.end() ? *same : name;
 }
 
+/// "; nearest: left.pmax", as the library says of a name that it does not know; else nothing.
+std::string nearest_results(const std::string& name) {
+  try {
+    (void)Scene().number_id(name);
+  } catch (const wrcontact::Error& error) {
+    const std::string text = error.what();
+    const std::size_t nearest = text.rfind("; nearest: ");
+    return nearest == std::string::npos ? "" : text.substr(nearest);
+  }
+  return "";
+}
+
 } // namespace
 
 void check_results(const std::vector<std::string>& names) {
@@ -148,8 +160,8 @@ void check_results(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const std::string first = with_first_entry(name);
     if (!is_known(first) && !is_known(name_now(first, known))) {
-      throw Failure("study.results: \"" + name +
-                    "\" is unknown; allowed are the names that wrc_sweep --list-results prints");
+      throw Failure("study.results: \"" + name + "\" is unknown" + nearest_results(name) +
+                    "; allowed are the names that wrc_sweep --list-results prints");
     }
   }
 }

@@ -51,11 +51,19 @@ std::vector<Value> range_values(const std::string& key, const toml::table& range
     refuse(form);
   }
   constexpr double slack = 1e-9; // of a step: `to` itself belongs to the range
+  // Of a step: 1e5 steps of 16 digits end closer, a step of four digits that does not fit farther
+  // off.
+  constexpr double ending_slack = 1e-6;
   double values = 0.0;
   if (step) {
     values = std::floor((*to - *from) / *step + slack) + 1.0;
     if (!(values >= 1.0) || !(values <= most_values)) {
       refuse("a step that leads from `from` to `to` in less than 1e6 steps");
+    }
+    const double steps = std::max(1.0, std::round((*to - *from) / *step));
+    if (std::abs(*from + steps * *step - *to) > ending_slack * std::abs(*step) && *to != *from) {
+      refuse("a step that ends at `to`, such as step = " + text_of(rounded((*to - *from) / steps)) +
+             ", or to = " + text_of(rounded(*from + (values - 1.0) * *step)));
     }
   } else {
     values = *count;
@@ -143,6 +151,16 @@ private:
     return value;
   }
 
+  /// Names file and line of a key that the library does not know.
+  void refuse_unknown(const std::string& key, const toml::node& node) const {
+    try {
+      (void)scene_.key_id(key);
+    } catch (const wrcontact::Error& error) {
+      throw Failure("study file " + path_ + ", line " + std::to_string(node.source().begin.line) +
+                    ": " + error.what());
+    }
+  }
+
   /// Whether a list is one value of this key (solve.grid).
   [[nodiscard]] static bool is_one_value(const std::string& key, const toml::array& list) {
     return takes_list(key) && std::all_of(list.begin(), list.end(), [](const toml::node& entry) {
@@ -153,6 +171,8 @@ private:
   void set(const std::string& key, const toml::node& node) {
     if (from_command_line_) {
       assigned_.insert(key);
+    } else {
+      refuse_unknown(key, node);
     }
     std::vector<Value> values;
     if (const toml::table* range = node.as_table()) {
@@ -186,6 +206,7 @@ private:
     axes_.push_back({line, column, {key, std::move(values)}});
   }
 
+  Scene scene_; ///< that knows the keys
   std::string path_;
   bool from_command_line_ = false;
   Values fixed_;
@@ -321,6 +342,13 @@ std::vector<std::pair<std::string, std::string>> shipped_studies() {
 
 Study read_study(const std::string& path, const StudyChanges& changes) {
   const char* const shipped = shipped_text(path);
+  if (std::error_code ignored; shipped == nullptr && !std::filesystem::exists(path, ignored)) {
+    std::string names;
+    for (const ShippedStudy& study : shipped_study_texts) {
+      names.append(" ").append(study.name);
+    }
+    throw Failure("study file " + path + ": no such file; shipped studies are" + names);
+  }
   const toml::table file =
       shipped != nullptr ? parse_toml("study", path, shipped) : read_toml("study file", path);
   Study study;

@@ -4,7 +4,7 @@ from __future__ import annotations
 import inspect
 import os
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from html import escape
 from typing import Any, NamedTuple
@@ -83,6 +83,16 @@ def key_of(word: str) -> str:
     return (posed or candidates)[0]
 
 
+def refuse_doubled(words: Iterable[str]) -> None:
+    """InvalidArgument if two words are the same key: `lateral` and `pose_lateral`."""
+    found: dict[str, str] = {}
+    for word in words:
+        key = key_of(word)
+        if key in found:
+            raise InvalidArgument(f"{key} is given twice, as {found[key]} and as {word}")
+        found[key] = word
+
+
 class Scene(Handle):
     """Both wheels of a wheelset on their rails: inputs by key, solved by `solve`.
 
@@ -117,9 +127,11 @@ class Scene(Handle):
     def set(self, **values: Any) -> Scene:
         """Sets keys in the order given, those of `convention` first; returns the scene.
 
-        If one is refused, those before it stay set. UnknownName, InvalidArgument.
+        If one is refused, those before it stay set; a key named twice is refused before any is set.
+        UnknownName, InvalidArgument.
         """
         named = [(key_of(word), value) for word, value in values.items()]
+        refuse_doubled(values)
         for key, value in sorted(named, key=lambda pair: not pair[0].startswith("convention.")):
             self[key] = value
         return self

@@ -11,7 +11,7 @@ from ._interface import ffi
 from ._library import doubles, lib, pointer, string
 from ._warnings import warn_of_many
 from .errors import Error
-from .scene import Scene, key_of, keys, values_of
+from .scene import Scene, key_of, keys, refuse_doubled, values_of
 from .result import unit_of
 from .solver import solve_without_warning, warnings_of_outcome
 
@@ -46,6 +46,7 @@ def study(parameters: Mapping[str, Any], results: Sequence[str] = ("left.pmax", 
     """
     import xarray
 
+    refuse_doubled([*parameters, *values])
     varied = {key_of(word): column for word, column in parameters.items()}
     arrays = {key: _column(key, column) for key, column in varied.items()}
     grid = xarray.broadcast(*arrays.values()) if arrays else ()

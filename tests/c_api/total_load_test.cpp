@@ -205,10 +205,17 @@ TEST(TotalLoad, ReplacesOtherLoadsAndIsReplaced) {
 /// The position is prescribed then: loads are results.
 TEST(TotalLoad, DoesNotMatterWithThePositionPrescribed) {
   const ScenePointer total = moving_scene(1.0, 1e-3);
+  const ScenePointer other = moving_scene(1.0, 1e-3);
   const ScenePointer plain = moving_scene(1.0, 1e-3);
   solve(total.get(), {{"pose.vertical", 459.9}, {"load.total_vertical", 60e3}});
+  solve(other.get(), {{"pose.vertical", 459.9}, {"load.total_vertical", 50e3}});
   solve(plain.get(), {{"pose.vertical", 459.9}});
-  expect_same_bits(total.get(), plain.get(), "position");
+  expect_same_bits(total.get(), other.get(), "position");
+  for (const char* name : {"left.total.force.y", "left.vertical_force", "right.pmax"}) {
+    EXPECT_EQ(number_of(total.get(), name), number_of(plain.get(), name)) << name;
+  }
+  EXPECT_STREQ(wrc_scene_warning(total.get(), 0),
+               "load.total_vertical is not used: pose.vertical is set");
 }
 
 } // namespace

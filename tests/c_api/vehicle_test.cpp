@@ -476,7 +476,8 @@ TEST(Tables, AreRefusedBeforeTheFirstSolution) {
   EXPECT_EQ(text_of("pose.lateral", 2e4, "left.pmax"),
             "pose.lateral = 20000: allowed is -1e4 to 1e4 mm");
   EXPECT_NE(text_of("pose.sideways", 0.0, "left.pmax").find("pose.sideways"), std::string::npos);
-  EXPECT_EQ(text_of("pose.lateral", 0.0, "left.pmux"), "results: there is no result \"left.pmux\"");
+  EXPECT_EQ(text_of("pose.lateral", 0.0, "left.pmux"),
+            "results: there is no result \"left.pmux\"; nearest: left.pmax");
   EXPECT_EQ(text_of("pose.lateral", 0.0, ""), "results: at least one name is needed");
   // Beside the rail there is no contact, which is no failure of the table.
   EXPECT_TRUE(std::isnan(scene.tabulate({{"track.gauge", {600}}}, {"left.pmax"}).at(0)));

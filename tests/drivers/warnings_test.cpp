@@ -39,7 +39,7 @@ TEST_F(WrcSweepWarnings, EachKindIsPrintedOnceWithTheNumberOfScenes) {
   const std::string table = read("o/s.csv");
   EXPECT_TRUE(table.starts_with("scene,pose.lateral,status,message,warning_count,warnings,left."));
   EXPECT_NE(table.find("\n0,0,ok,,0,,8"), std::string::npos) << table;
-  EXPECT_NE(table.find("\n1,5,ok,,1,left: the rail turns by"), std::string::npos) << table;
+  EXPECT_NE(table.find("\n1,5,ok,,1,\"left: the rail turns by"), std::string::npos) << table;
 }
 
 TEST_F(WrcSweepWarnings, AResultOfTheSameNameIsWrittenOnce) {

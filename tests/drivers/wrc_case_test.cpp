@@ -350,6 +350,7 @@ TEST_F(WrcCase, ProfilePathsAreRelativeToTheSceneFile) {
 TEST_F(WrcCase, RefusesUnknownKeysAndBadValues) {
   run("--set pose.sideways=1").expect_refusal({"pose.sideways", "pose.lateral"});
   run("--set pose.lateral=20000").expect_refusal({"pose.lateral = 20000", "-1e4 to 1e4"});
+  run("--set pose.lateral=5mm").expect_refusal({"pose.lateral = \"5mm\": not a number"});
   run("--set pose.lateral=far").expect_refusal({"pose.lateral = \"far\"", "-1e4 to 1e4"});
   run("--set solve.side=middle").expect_refusal({"solve.side", "middle", "\"left\""});
   run("--set solve.grid=[0,8]").expect_refusal({"solve.grid = [0, 8]", "1 to 8192"});
@@ -359,6 +360,16 @@ TEST_F(WrcCase, RefusesUnknownKeysAndBadValues) {
   run("--set =3").expect_refusal({"--set =3", "key=value"});
   run("--set track.rail=nowhere.txt").expect_refusal({"track.rail", "nowhere.txt", "60E1"});
   run("--set pose.lateral=100").expect_refusal({"pose.lateral"});
+}
+
+TEST_F(WrcCase, KeysWithoutEffectAreWarnedOf) {
+  const Outcome outcome =
+      run(small + "--set load.vertical=70000 load.normal=80000 --save saved.toml");
+  EXPECT_NE(outcome.out.find("Warning: load.vertical is not used: load.normal is set\n"),
+            std::string::npos)
+      << outcome.out;
+  const json plain = run_json(small + "--set load.normal=80000 --save plain.toml");
+  EXPECT_EQ(plain.at("warning_count"), run_json("plain.toml").at("warning_count"));
 }
 
 TEST_F(WrcCase, RefusesBadArguments) {
@@ -383,12 +394,18 @@ TEST_F(WrcCase, RefusesBadSceneFiles) {
   write("bad.toml", "[pose]\nlateral = 1.0\nyaw = = 2\n");
   run("bad.toml").expect_refusal({"bad.toml", "line 3"});
   write("unknown.toml", "[pose]\nsideways = 1.0\n");
-  run("unknown.toml").expect_refusal({"pose.sideways"});
+  run("unknown.toml")
+      .expect_refusal({"scene file unknown.toml, line 2: unknown key pose.sideways"});
   write("type.toml", "[solve]\nside = 2\n");
   run("type.toml").expect_refusal({"solve.side = 2"});
   write("profile.toml", "[track]\nrail = \"bad.prr\"\n");
   write("bad.prr", "no profile at all\n");
-  run("profile.toml").expect_refusal({"bad.prr"});
+  run("profile.toml").expect_refusal({"track.rail: bad.prr"});
+  write("empty.txt", "");
+  run("--set track.left.rail=empty.txt").expect_refusal({"track.left.rail: empty.txt: is empty"});
+  const Outcome slices = run("--set track.rail=miss.slcs");
+  slices.expect_refusal({"track.rail = \"miss.slcs\": ", "miss.slcs"});
+  EXPECT_EQ(slices.error.find("60E1"), std::string::npos) << slices.error;
   run(".").expect_refusal({"scene file ."});
 }
 

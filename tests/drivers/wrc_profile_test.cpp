@@ -157,6 +157,8 @@ TEST_F(WrcProfile, JoinsTheSlicesOfAFileToASurface) {
   EXPECT_EQ(lines.at(0), "rail with 3 slices along the track, 0 to 20 mm, 10 mm apart");
   EXPECT_EQ(lines.at(3), "features 1 to 2 absent from slice 1");
   EXPECT_EQ(run_json("rail.slcs --slice 2").at("kind"), "rail");
+  ASSERT_EQ(run("rail.slcs --slice 2 --convert one.prr").exit_code, 0);
+  run("one.prr --slice 3").expect_refusal({"one.prr: slice = 3, allowed with a slices file"});
   run("rail.slcs --points").expect_refusal({"--points", "--slice N"});
   run("S1002 --smooth-along 3").expect_refusal({"--smooth-along", ".slcs"});
 }

@@ -345,23 +345,30 @@ TEST_F(WrcSweep, EveryShippedStudyRunsAndDraws) {
 }
 
 TEST_F(WrcSweep, RefusesBadStudies) {
+  run("crosing").expect_refusal({"crosing: no such file", "shipped studies are", " crossing "});
   const auto refuse = [&](const std::string& text, std::initializer_list<std::string> parts) {
     write("s.toml", text);
     run("s.toml --out o").expect_refusal(parts);
     EXPECT_FALSE(exists("o/s.rows")) << text;
   };
-  refuse("[pose]\nsideways = [1, 2]\n", {"pose.sideways", "pose.lateral"});
+  refuse("[pose]\nsideways = [1, 2]\n",
+         {"s.toml, line 2: unknown key pose.sideways", "pose.lateral"});
   refuse("[pose]\nlateral = [1, 20000]\n", {"pose.lateral = 20000", "-1e4 to 1e4"});
   refuse("[pose]\nlateral = []\n", {"pose.lateral"});
   refuse("[pose]\nlateral = {from = 1, to = 2}\n", {"pose.lateral", "{from, to, step}"});
   refuse("[pose]\nlateral = {from = 1, to = 2, step = -1}\n", {"pose.lateral", "step"});
   refuse("[pose]\nlateral = {from = 1, to = 2, step = 0}\n", {"pose.lateral", "step"});
+  refuse("[pose]\nlateral = {from = 0, to = 1, step = 0.3}\n",
+         {"a step that ends at `to`, such as step = 0.333333333333, or to = 0.9"});
+  refuse("[pose]\nlateral = {from = 0, to = 1, step = 0.999}\n",
+         {"such as step = 1, or to = 0.999"});
   refuse("[pose]\nlateral = {from = 1, to = 2, count = 1.5}\n", {"pose.lateral", "count"});
   refuse("[pose]\nlateral = {from = 1, to = 2, steps = 3}\n", {"pose.lateral", "steps"});
   refuse("[pose]\nlateral = {from = 0, to = 9, count = 9000}\nyaw = {from = 0, to = 0.1, count = "
          "9000}\n[load]\nvertical = {from = 0, to = 1, count = 90}\n",
          {"scenes", "allowed"});
-  refuse("[study]\nresults = [\"left.pmx\"]\n", {"left.pmx", "--list-results"});
+  refuse("[study]\nresults = [\"left.pmx\"]\n",
+         {"left.pmx", "nearest: left.pmax;", "--list-results"});
   refuse("[study]\nresults = \"left.pmax\"\n", {"study.results", "list of texts"});
   refuse("[study]\nresults = [\"roll\", \"roll\"]\n", {"study.results", "\"roll\"", "once"});
   refuse("[study]\nfields = [\"x\", \"x\"]\n", {"study.fields", "\"x\"", "once"});

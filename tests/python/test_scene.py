@@ -69,6 +69,29 @@ def test_keywords_stand_for_the_keys_of_the_library():
         wrcontact.Scene(latral=3)
 
 
+def test_a_key_that_is_named_twice_is_refused():
+    with pytest.raises(wrcontact.InvalidArgument, match="pose.lateral is given twice, as lateral and as pose_lat"):
+        wrcontact.solve(lateral=4, pose_lateral=3)
+    scene = wrcontact.Scene(lateral=1)
+    with pytest.raises(wrcontact.InvalidArgument):
+        scene.set(pose_lateral=2, lateral=3)
+    assert scene["lateral"] == 1.0
+    with pytest.raises(wrcontact.InvalidArgument):
+        wrcontact.study({"lateral": [1.0]}, pose_lateral=2)
+
+
+def test_an_unknown_result_is_reported_with_the_nearest_names():
+    result = wrcontact.solve(accuracy=0.1)
+    for word, nearest in {"left.pmx": "left.pmax", "modl": "model",
+                          "left.patches.0.nomal_force": "left.patches.0.normal_force"}.items():
+        with pytest.raises(wrcontact.UnknownName, match=f'is named "{word}"; nearest: {nearest}'):
+            result[word]
+    with pytest.raises(AttributeError, match="nearest: left.pmax"):
+        result.left.pmx
+    with pytest.raises(wrcontact.UnknownName, match="known, but this solution has no such number"):
+        result["left.patches.9.pmax"]
+
+
 def test_every_key_takes_the_value_it_gives():
     scene, other = wrcontact.Scene(), wrcontact.Scene()
     for key in scene:

@@ -156,6 +156,8 @@ CASES = {
     "torque_ambiguous": Case("also balances the torque", {
         "motion.speed": 2e4, "motion.pitch": "free", "motion.torque": 12e6,
         "friction.limit_ratio": 0.3, "friction.decay": 0.001, **QUICK}),
+    "unused_key": Case("load.left is not used: pose.vertical is set", {
+        "load.left": 70000, "pose.vertical": 459.9, **QUICK, **LEFT}),
 }
 
 

@@ -26,6 +26,7 @@ TEST(Warning, NamesAreInTheOrderOfTheClasses) {
   EXPECT_EQ(name_of(WarningClass::element_limit), "element_limit");
   EXPECT_EQ(name_of(WarningClass::close_patches), "close_patches");
   EXPECT_EQ(name_of(WarningClass::torque_ambiguous), "torque_ambiguous");
+  EXPECT_EQ(name_of(WarningClass::unused_key), "unused_key");
 }
 
 } // namespace

@@ -32,6 +32,15 @@ std::vector<Position> changed(std::vector<Position> points, double lateral, doub
   return points;
 }
 
+std::vector<Position> equal_points(const Curve& curve) {
+  std::vector<Position> points;
+  for (double arc = 0.0; arc < curve.length(); arc += 0.25) {
+    const CurvePoint at = curve.at(arc);
+    points.push_back({at.lateral, at.height});
+  }
+  return points;
+}
+
 TEST(Plausibility, WheelsAndRailsArePlausible) {
   for (const ProfileKind kind : {ProfileKind::wheel, ProfileKind::rail}) {
     Log log("file", true);
@@ -47,6 +56,26 @@ TEST(Plausibility, WrongSignsShow) {
   std::vector<Position> mirrored = changed(wheel_points(), -1.0, 1.0);
   std::reverse(mirrored.begin(), mirrored.end());
   EXPECT_TRUE(warns(mirrored, ProfileKind::wheel, WarningClass::profile_signs));
+}
+
+/// As the wheel is, and upside down, as the signs of a rail's file may turn it.
+TEST(Plausibility, AWheelGivenAsARailShows) {
+  for (const std::string_view name : standard_profile_names(ProfileKind::wheel)) {
+    const std::vector<Position> points = equal_points(standard_profile(name).curve);
+    for (const double sign : {1.0, -1.0}) {
+      EXPECT_TRUE(
+          warns(changed(points, 1.0, sign), ProfileKind::rail, WarningClass::profile_dimensions))
+          << name << sign;
+      EXPECT_TRUE(
+          warns(changed(points, -1.0, sign), ProfileKind::rail, WarningClass::profile_dimensions))
+          << name << sign;
+    }
+  }
+  for (const std::string_view name : standard_profile_names(ProfileKind::rail)) {
+    EXPECT_FALSE(warns(equal_points(standard_profile(name).curve), ProfileKind::rail,
+                       WarningClass::profile_dimensions))
+        << name;
+  }
 }
 
 TEST(Plausibility, WrongOriginsShow) {

@@ -161,6 +161,30 @@ TEST(Readers, RefusesTooFewPointsAndWrongLengths) {
                  "at most 1e+05 mm");
 }
 
+TEST(Readers, APointThatIsNotFiniteIsNamedWithItsCoordinate) {
+  std::vector<Position> points = wheel_points();
+  points[40][1] = std::numeric_limits<double>::quiet_NaN();
+  test::expect_error(
+      ErrorCode::invalid_argument,
+      [&] { (void)profile_through(points, "points", wheel_options()); },
+      "points: point 40: height = nan, allowed are finite numbers");
+  points[40][1] = 0.0;
+  points[7][0] = -std::numeric_limits<double>::infinity();
+  test::expect_error(
+      ErrorCode::invalid_argument,
+      [&] { (void)profile_through(points, "points", wheel_options()); },
+      "points: point 7: lateral = -inf, allowed are finite numbers");
+}
+
+TEST(Readers, ANumberOfASliceIsRefusedWithAFileOfOneProfile) {
+  ReadOptions options = wheel_options();
+  options.slice = 3;
+  for (const ProfileFormat format : {ProfileFormat::columns, ProfileFormat::miniprof}) {
+    EXPECT_TRUE(contains(refusal_of(rows_of(wheel_points()), format, options),
+                         "slice = 3, allowed with a slices file"));
+  }
+}
+
 /// Rows of S1002 every 0.25 mm with so many digits.
 std::string wheel_rows_with(int digits) {
   std::string rows;

@@ -81,6 +81,13 @@ ReadResult read_columns_of(const RealFile& file) {
   return read_profile(columns_of(file), options);
 }
 
+/// Whether a profile's warnings say that it is none of a rail.
+bool seems_a_wheel(const Profile& profile) {
+  return std::any_of(profile.warnings.begin(), profile.warnings.end(), [](const Warning& warning) {
+    return warning.text.find("the shape is that of a wheel") != std::string::npos;
+  });
+}
+
 class RealFiles : public ::testing::TestWithParam<RealFile> {};
 
 TEST_P(RealFiles, AreReadAsTheirListStates) {
@@ -92,6 +99,7 @@ TEST_P(RealFiles, AreReadAsTheirListStates) {
   if (file.kind == ProfileKind::wheel) {
     EXPECT_EQ(read.profile.points, read_columns_of(file).profile.points);
   }
+  EXPECT_FALSE(seems_a_wheel(read.profile));
 
   ReadOptions options;
   options.strict = true;
@@ -107,6 +115,13 @@ class RealWheels : public ::testing::TestWithParam<RealFile> {};
 
 TEST_P(RealWheels, AreReadAsTheirListStates) {
   expect_as_listed(GetParam(), read_columns_of(GetParam()).profile);
+}
+
+TEST_P(RealWheels, ShowIfTheyAreGivenAsARail) {
+  ReadOptions options;
+  options.kind = ProfileKind::rail;
+  const bool is_disc = std::string(GetParam().file) == "circ_r100.prw";
+  EXPECT_NE(seems_a_wheel(read_profile(columns_of(GetParam()), options).profile), is_disc);
 }
 
 /// Centre height of a wheelset of nominal radius 460 whose wheels touch with their treads, mm.

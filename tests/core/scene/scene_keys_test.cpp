@@ -109,6 +109,28 @@ TEST(SceneKeys, AnUnknownKeyIsReportedWithTheNearestKeys) {
   }
 }
 
+TEST(SceneKeys, ATextWhereANumberBelongsIsReportedAsOne) {
+  Scene scene;
+  const auto text_of_refusal = [&](const char* key, const char* value) {
+    return error_text([&] { set_text(scene, key, value); }, ErrorCode::invalid_argument);
+  };
+  EXPECT_EQ(text_of_refusal("pose.lateral", "5"),
+            "pose.lateral = \"5\": a text; write the number without quotes; allowed is -1e4 to "
+            "1e4 mm");
+  for (const char* wrong : {"5mm", "0,005", "-1.5.", "1e"}) {
+    EXPECT_EQ(text_of_refusal("pose.lateral", wrong),
+              "pose.lateral = \"" + std::string(wrong) +
+                  "\": not a number; allowed is -1e4 to 1e4 mm");
+  }
+  EXPECT_EQ(text_of_refusal("pose.lateral", "far"),
+            "pose.lateral = \"far\": allowed is -1e4 to 1e4 mm");
+  EXPECT_EQ(text_of_refusal("solve.side", "5"),
+            "solve.side = \"5\": allowed is \"both\", \"left\" or \"right\"");
+  set_text(scene, "convention.units", "SI");
+  EXPECT_EQ(text_of_refusal("pose.lateral", "5mm"),
+            "pose.lateral = \"5mm\": not a number; allowed is -10 to 10 m");
+}
+
 TEST(SceneKeys, AModelNoLongerThereNamesABetterOne) {
   Scene scene;
   const std::string text = error_text([&] { set_text(scene, "solve.creep", "fastsim-strips"); },
