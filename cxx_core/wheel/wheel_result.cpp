@@ -9,6 +9,7 @@
 #include "geometry/side_frame.hpp"
 #include "models/hertz.hpp"
 #include "wheel/combined_contact.hpp"
+#include "wheel/cut_contact.hpp"
 
 namespace wrc {
 namespace {
@@ -217,6 +218,10 @@ WheelResult make_wheel_result(WheelSolution solution,
   }
   result.angle = result.patches.front().angle;
   result.approach = result.patches.front().approach;
+  if (std::optional<ContactCut> cut = find_cut(result.patches, *wheel, *rail)) {
+    result.meets_part_end = result.meets_part_end || cut->is_along;
+    result.warnings.push_back(std::move(cut->warning));
+  }
   if (result.solved) {
     result.centroid = mean_point(result.patches, result.normal_force);
   }
