@@ -275,6 +275,9 @@ SceneSurfaces SurfaceCache::get(const Scene& scene) {
                          key(&SceneSide::rail, "track.", "rail"), which, is_solved,
                          found.likely_rails, surfaces);
     if (found.rail->varying() != nullptr) {
+      if (is_solved || !scene.roll) { // without a roll both wheels are needed
+        found.rail->refuse_beyond_slices(scene.along);
+      }
       found.rail =
           std::make_shared<const RailSurface>(found.rail->posed(displacement, scene.along));
     } else if (displacement != RailDisplacement{}) {
