@@ -124,6 +124,13 @@ ContactPoint mean_point(const std::vector<PatchResult>& patches, double normal_f
   return mean;
 }
 
+void note_cut(const WheelSurface& wheel, const RailSurface& rail, WheelResult& result) {
+  if (std::optional<ContactCut> cut = find_cut(result.patches, wheel, rail)) {
+    result.meets_part_end = result.meets_part_end || cut->is_along;
+    result.warnings.push_back(std::move(cut->warning));
+  }
+}
+
 } // namespace
 
 ContactPoint point_on(const PosedPair& pair, const ContactFrame& frame, double longitudinal,
@@ -218,10 +225,7 @@ WheelResult make_wheel_result(WheelSolution solution,
   }
   result.angle = result.patches.front().angle;
   result.approach = result.patches.front().approach;
-  if (std::optional<ContactCut> cut = find_cut(result.patches, *wheel, *rail)) {
-    result.meets_part_end = result.meets_part_end || cut->is_along;
-    result.warnings.push_back(std::move(cut->warning));
-  }
+  note_cut(*wheel, *rail, result);
   if (result.solved) {
     result.centroid = mean_point(result.patches, result.normal_force);
   }
