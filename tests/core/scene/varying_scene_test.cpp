@@ -17,6 +17,7 @@
 #include "creep/rolling_frame.hpp"
 #include "geometry/varying_shapes.hpp"
 #include "profile/standard_profiles.hpp"
+#include "scene/scene_warnings.hpp"
 #include "scene/solve_scene.hpp"
 #include "scene/vehicle_step.hpp"
 #include "support/errors.hpp"
@@ -274,6 +275,22 @@ TEST_F(VaryingScene, AWideGapStopsItsOwnWheelOnly) {
   scene.side = SideChoice::left;
   expect_error(
       ErrorCode::no_contact, [&] { (void)solve_scene(scene); }, "400");
+}
+
+TEST_F(VaryingScene, SwingsBetweenSlicesAreWarnings) {
+  const auto warnings_on = [](const std::string& rail) {
+    Scene scene = level_on(rail);
+    scene.until = Module::geometry;
+    return all_warnings(solve_scene(scene));
+  };
+  const Warnings swings =
+      warnings_on(list("joint.slcs", "60E1", {-300.0, -100.0, -0.5, 0.5, 100.0, 300.0},
+                       [](double x) { return x < 0.0 ? 0.0 : 0.3; }));
+  ASSERT_EQ(swings.size(), 2U);
+  EXPECT_EQ(swings[0].kind, WarningClass::profile_swing);
+  EXPECT_NE(swings[0].text.find("between slices 2 and 3 the rail is"), std::string::npos);
+  EXPECT_NE(swings[1].text.find("steeper than 1:5"), std::string::npos);
+  EXPECT_TRUE(warnings_on(wavy_rail()).empty());
 }
 
 TEST_F(VaryingScene, RefusesWhatSlicesAndWavesCannotHave) {
