@@ -73,7 +73,7 @@ RailSurface::RailSurface(std::shared_ptr<const VaryingRail> rail, const Profile&
   along_ = varying_->along().begin;
 }
 
-RailSurface RailSurface::posed(const RailDisplacement& displacement, double along) const {
+void RailSurface::refuse_beyond_slices(double along) const {
   const Stretch slices = varying_->along();
   if (!(along >= slices.begin && along <= slices.end)) {
     throw Error(ErrorCode::no_contact, "pose.longitudinal = " + text_of(along) +
@@ -81,6 +81,9 @@ RailSurface RailSurface::posed(const RailDisplacement& displacement, double alon
                                            text_of(slices.begin) + " to " + text_of(slices.end) +
                                            " mm");
   }
+}
+
+RailSurface RailSurface::posed(const RailDisplacement& displacement, double along) const {
   const double angle = angle_ + displacement.roll;
   const double lateral_shift = lateral_shift_ + displacement.lateral;
   const double height_shift = height_shift_ + displacement.height;

@@ -60,8 +60,11 @@ public:
   /// Where on a rail that varies the wheelset is, mm from the origin of its slices: x = 0 of the
   /// track frame. The graph is the section there.
   [[nodiscard]] double along() const { return along_; }
-  /// A rail that varies, displaced, with the wheelset somewhere along it. Throws Error(no_contact)
-  /// where no part of the rail is.
+  /// Throws Error(no_contact) for a wheelset before the first slice of a rail that varies, or
+  /// beyond the last.
+  void refuse_beyond_slices(double along) const;
+  /// A rail that varies, displaced, with the wheelset somewhere along it. In a gap the graph is the
+  /// nearest section: a wheel may stand on both sides.
   [[nodiscard]] RailSurface posed(const RailDisplacement& displacement, double along) const;
 
   /// The same rail somewhere else: 1 us without roll, which takes a new table of heights, 40 us.

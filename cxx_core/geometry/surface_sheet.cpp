@@ -475,23 +475,4 @@ std::optional<GraphPoint> highest_over(std::span<const SurfaceSheet> sheets, dou
   return highest;
 }
 
-Curve widest_section(std::span<const SurfaceSheet> sheets, double along) {
-  const SurfaceSheet* widest = nullptr;
-  double width = 0.0;
-  for (const SurfaceSheet& sheet : sheets) {
-    if (!sheet.holds(along))
-      continue;
-    const double reach =
-        sheet.at(sheet.across().end, along).at[0] - sheet.at(sheet.across().begin, along).at[0];
-    if (widest == nullptr || reach > width) {
-      widest = &sheet;
-      width = reach;
-    }
-  }
-  if (widest == nullptr)
-    throw Error(ErrorCode::no_contact,
-                "no part of the profile that varies is at " + short_text_of(along) + " along it");
-  return widest->section(along);
-}
-
 } // namespace wrc

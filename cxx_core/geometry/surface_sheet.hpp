@@ -130,8 +130,6 @@ private:
 /// The highest point over a place in the plane, of all sheets; none beyond them.
 std::optional<GraphPoint> highest_over(std::span<const SurfaceSheet> sheets, double along,
                                        double lateral);
-/// Of the sheets at a place the section that is widest. Throws Error(no_contact) if there is none.
-Curve widest_section(std::span<const SurfaceSheet> sheets, double along);
 
 /// Height, slopes and second derivatives over (along, lateral) of a point that is not vertical.
 GraphPoint graph_of(const SheetPoint& point);

@@ -54,10 +54,24 @@ struct Least {
   VaryingSearch::Spot on_chain;
 };
 
+/// For a wheel that does not meet a rail which varies: throws if the rail has a gap below the axle.
+void refuse_gap(const RailSurface& rail) {
+  if (rail.varying() == nullptr) {
+    return;
+  }
+  const double distance = distance_to_sheet(rail.varying()->sheets(), rail.along());
+  if (distance > 0.0) {
+    throw Error(ErrorCode::no_contact,
+                "the wheel is over a gap of the rail at " + short_text_of(rail.along()) +
+                    " mm along it: the nearest part is " + short_text_of(distance) +
+                    " mm away, which the wheel does not reach");
+  }
+}
+
 /// The search for a side: along the contact locus, or over places where a body varies.
 class EitherSearch {
 public:
-  explicit EitherSearch(const WheelAndRail& pair) {
+  explicit EitherSearch(const WheelAndRail& pair) : rail_(pair.rail) {
     if (pair.wheel.varying() != nullptr || pair.rail.varying() != nullptr) {
       varying_.emplace(pair.wheel, pair.rail);
     } else {
@@ -73,6 +87,7 @@ public:
     if (!varying_) {
       constant_->scan(pose);
     } else if (!varying_->try_scan(pose)) {
+      refuse_gap(rail_);
       throw_off_the_rail(pose);
     }
   }
@@ -105,6 +120,7 @@ private:
   static Least of(const LocusSpot& spot) { return {spot.distance, spot, {}}; }
   static Least of(const VaryingSearch::Spot& spot) { return {spot.point.gap.value, {}, spot}; }
 
+  const RailSurface& rail_;
   std::optional<SideSearch> constant_;
   std::optional<VaryingSearch> varying_;
 };

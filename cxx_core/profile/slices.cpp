@@ -34,6 +34,16 @@ public:
     }
     log_.refuse("ends before " + what);
   }
+  /// Refuses lines after the last one, `what` with which the list ends.
+  void refuse_rest(const std::string& what) {
+    while (lines_.next()) {
+      const std::string_view line =
+          reading::trimmed(lines_.text().substr(0, lines_.text().find('%')));
+      if (!line.empty())
+        refuse(reading::quoted(line) + " after " + what);
+    }
+  }
+  [[nodiscard]] std::size_t line_number() const { return lines_.number(); }
   double number(std::string_view word) {
     return reading::finite_number(word, lines_.number(), log_);
   }
@@ -89,6 +99,7 @@ struct Head {
   std::size_t features = 0;
   bool has_kinks = false; ///< or accelerations
   bool is_smoothed = false;
+  std::size_t line_of_count = 0; ///< of slices
 };
 
 Head read_features_and_interpolation(Content& content) {
@@ -143,7 +154,9 @@ SliceList read_list(Content& content, const std::filesystem::path& path, Head& h
   const double count = content.numbers(1, "the number of slices").front();
   if (!(count >= 1.0 && count <= max_slices) || std::trunc(count) != count)
     content.refuse(text_of(count) + " slices, allowed are 1 to " + text_of(max_slices));
+  const std::size_t line_of_count = content.line_number();
   head = read_features_and_interpolation(content);
+  head.line_of_count = line_of_count;
   SliceList list;
   list.is_smoothed = head.is_smoothed;
   std::vector<Slice>& slices = list.slices;
@@ -159,6 +172,14 @@ SliceList read_list(Content& content, const std::filesystem::path& path, Head& h
   return list;
 }
 
+/// The list ends with its last slice, or with the features of that.
+void refuse_rest(Content& content, const SliceList& list, const Head& head) {
+  const std::string count = std::to_string(list.slices.size());
+  content.refuse_rest((head.features < 2 ? "slice " : "the features of slice ") + count +
+                      ", the last of " + count + " that line " +
+                      std::to_string(head.line_of_count) + " states");
+}
+
 } // namespace
 
 std::vector<Slice> read_slices(std::string_view text, const std::filesystem::path& path) {
@@ -166,7 +187,10 @@ std::vector<Slice> read_slices(std::string_view text, const std::filesystem::pat
   Content content(text, log);
   Head head;
   std::vector<double> along;
-  return read_list(content, path, head, along).slices;
+  SliceList list = read_list(content, path, head, along);
+  if (head.features < 2) // else lines with features follow
+    refuse_rest(content, list, head);
+  return std::move(list.slices);
 }
 
 SliceList read_slice_list(std::string_view text, const std::filesystem::path& path) {
@@ -177,10 +201,9 @@ SliceList read_slice_list(std::string_view text, const std::filesystem::path& pa
   SliceList list = read_list(content, path, head, along);
   if (head.has_kinks)
     log.refuse("has kinks or accelerations between its parts, which are not supported");
-  if (head.features < 2)
-    return list;
-  for (std::size_t i = 0; i < list.slices.size(); ++i)
+  for (std::size_t i = 0; i < list.slices.size() && head.features >= 2; ++i)
     read_features(content, head.features, along[0], along[1], i + 1, list.slices[i]);
+  refuse_rest(content, list, head);
   return list;
 }
 

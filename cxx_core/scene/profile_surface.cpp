@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "geometry/along_check.hpp"
 
 namespace wrc {
 namespace {
@@ -46,6 +47,15 @@ void add_features(const SlicedProfile& profile, std::vector<std::string>& lines)
       lines.push_back(range_text("feature", "features", first + 1, i + 1) + " absent from " +
                       absent);
   }
+}
+
+/// Slopes around a wheel of unknown radius are not looked at.
+constexpr double unknown_radius = std::numeric_limits<double>::infinity();
+
+void add_check(const AlongCheck& check, ProfileKind kind, std::vector<std::string>& lines) {
+  lines.push_back(swing_text(check));
+  for (const Warning& warning : warnings_of(check, kind))
+    lines.push_back("warning: " + warning.text);
 }
 
 std::vector<SurfaceSheet> sheets_or_refusal(const SlicedProfile& profile, double smoothing_length,
@@ -112,6 +122,9 @@ std::vector<std::string> ProfileSurface::summary() const {
     lines.push_back(text + ", " + short_text_of(across.end - across.begin) + " mm across, " +
                     short_text_of(1e-6 * static_cast<double>(sheets_[i].memory())) + " MB");
   }
+  add_check(
+      check_along(profile_, sheets_, {is_rail ? "mm" : "rad", is_rail ? 1.0 : unknown_radius}),
+      profile_.kind, lines);
   return lines;
 }
 

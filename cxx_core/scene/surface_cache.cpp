@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/stopwatch.hpp"
+#include "geometry/along_check.hpp"
 #include "profile/readers.hpp"
 #include "profile/sliced_profile.hpp"
 
@@ -155,9 +156,9 @@ void check_waves(const std::vector<RadiusHarmonic>& waves, double radius) {
 
 /// From the slices of a file; of equal ones that of their profile.
 template <class Surface, class Dimensions>
-std::shared_ptr<const Surface> surface_of_slices(const SurfaceSource<Dimensions>& source,
-                                                 ProfileKind kind, const std::string& key,
-                                                 std::vector<std::string>& corrections) {
+std::shared_ptr<const Surface>
+surface_of_slices(const SurfaceSource<Dimensions>& source, ProfileKind kind, const std::string& key,
+                  std::vector<std::string>& corrections, Warnings& warnings) {
   const std::string& name = source.profile.name;
   check_slices(source.profile, kind, key);
   ReadOptions options;
@@ -169,8 +170,14 @@ std::shared_ptr<const Surface> surface_of_slices(const SurfaceSource<Dimensions>
       corrections.push_back(name);
       corrections.back().append(": ").append(line);
     }
-    return has_equal_slices(sliced) ? surface_of(profile_of(sliced), source)
-                                    : surface_of(sliced, source);
+    if (has_equal_slices(sliced)) {
+      return surface_of(profile_of(sliced), source);
+    }
+    std::shared_ptr<const Surface> surface = surface_of(sliced, source);
+    warnings = warnings_of(
+        check_along(sliced, surface->varying()->sheets(), {"mm", radius_of(source.dimensions)}),
+        kind);
+    return surface;
   } catch (const Error& error) {
     if (error.code() != ErrorCode::file_unreadable) {
       throw Error(error.code(), key + " = \"" + name + "\": " + error.what());
@@ -231,7 +238,11 @@ std::shared_ptr<const Surface> get_one(RecentSurfaces<Surface, Dimensions>& kept
     check_waves(source.profile.harmonics, radius_of(source.dimensions));
     typename RecentSurfaces<Surface, Dimensions>::Entry made{source, nullptr, {}, nullptr, nullptr};
     if (is_sliced(source.profile)) {
-      made.surface = surface_of_slices<Surface>(source, kind, key, made.corrections);
+      Warnings warnings;
+      made.surface = surface_of_slices<Surface>(source, kind, key, made.corrections, warnings);
+      if (!warnings.empty()) {
+        made.warnings = std::make_shared<const Warnings>(std::move(warnings));
+      }
       all.profile_milliseconds += stopwatch.milliseconds();
       return made;
     }
@@ -282,6 +293,9 @@ SceneSurfaces SurfaceCache::get(const Scene& scene) {
                          key(&SceneSide::rail, "track.", "rail"), which, is_solved,
                          found.likely_rails, surfaces);
     if (found.rail->varying() != nullptr) {
+      if (is_solved || !scene.roll) { // without a roll both wheels are needed
+        found.rail->refuse_beyond_slices(scene.along);
+      }
       found.rail =
           std::make_shared<const RailSurface>(found.rail->posed(displacement, scene.along));
     } else if (displacement != RailDisplacement{}) {

@@ -9,6 +9,7 @@
 #include "geometry/side_frame.hpp"
 #include "models/hertz.hpp"
 #include "wheel/combined_contact.hpp"
+#include "wheel/cut_contact.hpp"
 
 namespace wrc {
 namespace {
@@ -123,6 +124,13 @@ ContactPoint mean_point(const std::vector<PatchResult>& patches, double normal_f
   return mean;
 }
 
+void note_cut(const WheelSurface& wheel, const RailSurface& rail, WheelResult& result) {
+  if (std::optional<ContactCut> cut = find_cut(result.patches, wheel, rail)) {
+    result.meets_part_end = result.meets_part_end || cut->is_along;
+    result.warnings.push_back(std::move(cut->warning));
+  }
+}
+
 } // namespace
 
 ContactPoint point_on(const PosedPair& pair, const ContactFrame& frame, double longitudinal,
@@ -217,6 +225,7 @@ WheelResult make_wheel_result(WheelSolution solution,
   }
   result.angle = result.patches.front().angle;
   result.approach = result.patches.front().approach;
+  note_cut(*wheel, *rail, result);
   if (result.solved) {
     result.centroid = mean_point(result.patches, result.normal_force);
   }

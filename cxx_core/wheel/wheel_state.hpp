@@ -3,8 +3,8 @@
 /// Lifted: no contact. On the flange tip: a patch lies beyond the steepest point of the flange,
 /// where nothing stops a climbing wheel (Nadal 1896). On the chamfer: a patch lies beyond the
 /// tread. Beyond yield: the largest pressure exceeds the limit given. At the end of a part: the
-/// first touch is where a part of a rail that varies begins or ends. Units mm, MPa. Thread rule: a
-/// pure function.
+/// first touch is where a part of a rail that varies begins or ends, or such an end cuts a patch
+/// (cut_contact.hpp). Units mm, MPa. Thread rule: a pure function.
 ///
 /// Not known here: how the wheel came there.
 #pragma once

@@ -42,6 +42,8 @@ TEST(Slices, RefuseMalformedFiles) {
   refuses("0 1\n2\n1\n1\n0 'a'\n0 'b'\n", "place 0 after 0, places must ascend");
   refuses("x 1\n", "'x' is not a number");
   refuses("0 1\n1\n1\n3\n0 'a'\n", "interpolation 3, allowed are 1 and 2");
+  refuses("0 1\n1 % slices\n1\n1\n0 'a'\n\n1 'b'\n2 'c'\n",
+          "a.slcs:7: '1 'b'' after slice 1, the last of 1 that line 2 states");
   refuses("0 1e10\n2\n1\n1\n0 'a'\n1 'b'\n", "place 1e+10, allowed are -1e+09 to 1e+09");
 }
 
@@ -76,6 +78,9 @@ TEST(Slices, RefuseMalformedFeatures) {
   refuses("3", "0 -2 2 3\n", "feature 1 of slice 1 at -2 mm");
   refuses("3", "x 1 2 3\n", "a.slcs:7: the features of slice 1 expected");
   refuses("3", "0 nan 2 3\n", "'nan'");
+  refuses("2", "0 0 1\n5 0 1\n6 0 1\n",
+          "a.slcs:9: '6 0 1' after the features of slice 2, the last of 2 that line 2 states");
+  refuses("0", "% features\nmore\n", "a.slcs:8: 'more' after slice 2, the last of 2");
   refuses("201", "", "201 features, allowed are 0 to 200");
   refuses("1.5", "", "1.5 features");
   refuses("-1", "", "-1 features");

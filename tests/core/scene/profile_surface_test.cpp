@@ -54,7 +54,7 @@ TEST_F(ProfileSurfaceFile, SaysItsSlicesFeaturesAndSheets) {
                                        "0 -1 20 999\n1 0 20 999\n2 0 20 999\n4 0 20 -1\n");
   const ProfileSurface surface(path, {}, {});
   const std::vector<std::string> lines = surface.summary();
-  ASSERT_EQ(lines.size(), 7U);
+  ASSERT_EQ(lines.size(), 8U);
   EXPECT_EQ(lines[0], "rail with 4 slices along the track, 0 to 40 mm, 10 to 20 mm apart");
   EXPECT_EQ(lines[1], "smoothed along the track: waves of 40 mm are halved");
   EXPECT_EQ(lines[2], "3 features");
@@ -62,6 +62,7 @@ TEST_F(ProfileSurfaceFile, SaysItsSlicesFeaturesAndSheets) {
   EXPECT_EQ(lines[4], "feature 3 absent from slice 4");
   EXPECT_TRUE(lines[5].starts_with("surface 1: features 1 to 2, slices 2 to 4, 10 to 40 mm, "));
   EXPECT_TRUE(lines[6].starts_with("surface 2: features 2 to 3, slices 1 to 3, 0 to 20 mm, "));
+  EXPECT_EQ(lines[7], "between slices the surface is nowhere above or below both");
   EXPECT_EQ(surface.sheets().size(), 2U);
   EXPECT_EQ(surface.profile().name, "rail");
 }
@@ -69,7 +70,7 @@ TEST_F(ProfileSurfaceFile, SaysItsSlicesFeaturesAndSheets) {
 TEST_F(ProfileSurfaceFile, SaysThatAWheelIsClosed) {
   const auto path = write("wheel.slcw", "0 1\n2\n0\n1\n0 'a.txt'\n1 'a.txt'\n");
   const std::vector<std::string> lines = ProfileSurface(path, {}, 0.0).summary();
-  ASSERT_EQ(lines.size(), 4U);
+  ASSERT_EQ(lines.size(), 5U);
   EXPECT_EQ(lines[0], "wheel with 2 slices around the wheel, 0 to 1 rad, 1 rad apart");
   EXPECT_TRUE(lines[3].starts_with("surface 1: slices 1 to 2, closed around the wheel, "));
 }

@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,7 @@
 #include "creep/rolling_frame.hpp"
 #include "geometry/varying_shapes.hpp"
 #include "profile/standard_profiles.hpp"
+#include "scene/scene_warnings.hpp"
 #include "scene/solve_scene.hpp"
 #include "scene/vehicle_step.hpp"
 #include "support/errors.hpp"
@@ -68,6 +71,20 @@ protected:
   [[nodiscard]] std::string wheel_with_chord() const {
     return list("chord.slcw", "S1002", places_every(-0.1, 0.1, 0.004),
                 [](double theta) { return -chord_depth(theta, 460.0, 57.0); });
+  }
+
+  /// A 60E1 that is absent between -half and half.
+  [[nodiscard]] std::string rail_with_gap(const std::string& name, double half) const {
+    const std::vector<double> places{-300.0, -half, 0.0, half, 300.0};
+    const std::string path = list(name, "60E1", places, [](double) { return 0.0; });
+    std::ifstream file(path);
+    std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    text.replace(text.find("0 0 0\n"), 1, "2");
+    std::ostringstream features;
+    for (const double place : places)
+      features << place << (place == 0.0 ? " -1 -1\n" : " 0 999\n");
+    std::ofstream(path) << text << features.str();
+    return path;
   }
 
 private:
@@ -272,6 +289,59 @@ TEST_F(VaryingScene, RefusesPlacesWithoutARail) {
       ErrorCode::no_contact, [&] { (void)solve_scene(scene); }, "121");
   scene.along = 119.0; // the rail ends 1 mm ahead
   EXPECT_NO_THROW((void)solve_scene(scene));
+}
+
+Scene level_on(const std::string& rail) {
+  Scene scene = scene_on(rail);
+  scene.lateral = scene.yaw = scene.along = 0.0;
+  scene.roll = 0.0;
+  return scene;
+}
+
+/// It sinks by half^2 / (2 r) between the ends.
+TEST_F(VaryingScene, AWheelStandsOnBothEndsOfAShortGap) {
+  const double half = 2.0;
+  Scene scene = level_on("60E1");
+  const double whole = solve_scene(scene).vertical;
+  const std::string rail = rail_with_gap("gap.slcs", half);
+  scene.left.rail.name = scene.right.rail.name = rail;
+  const SceneResult over = solve_scene(scene);
+  EXPECT_NEAR(whole - over.vertical, half * half / 920.0, 2e-4);
+  EXPECT_NEAR(over.left->force.z, scene.left.load, 1e-3 * scene.left.load);
+  EXPECT_TRUE(over.left->meets_part_end);
+  scene.left.rail.name = "60E1"; // the other way around
+  EXPECT_NO_THROW((void)solve_scene(scene));
+}
+
+TEST_F(VaryingScene, AWideGapStopsItsOwnWheelOnly) {
+  Scene scene = level_on("60E1");
+  scene.left.rail.name = rail_with_gap("wide.slcs", 150.0);
+  expect_error(
+      ErrorCode::no_contact, [&] { (void)solve_scene(scene); },
+      "the wheel is over a gap of the rail at 0 mm along it: the nearest part is 150 mm away");
+  scene.side = SideChoice::right;
+  EXPECT_TRUE(solve_scene(scene).right);
+  scene.along = 400.0; // where the left rail has no slices
+  EXPECT_TRUE(solve_scene(scene).right);
+  scene.side = SideChoice::left;
+  expect_error(
+      ErrorCode::no_contact, [&] { (void)solve_scene(scene); }, "400");
+}
+
+TEST_F(VaryingScene, SwingsBetweenSlicesAreWarnings) {
+  const auto warnings_on = [](const std::string& rail) {
+    Scene scene = level_on(rail);
+    scene.until = Module::geometry;
+    return all_warnings(solve_scene(scene));
+  };
+  const Warnings swings =
+      warnings_on(list("joint.slcs", "60E1", {-300.0, -100.0, -0.5, 0.5, 100.0, 300.0},
+                       [](double x) { return x < 0.0 ? 0.0 : 0.3; }));
+  ASSERT_EQ(swings.size(), 2U);
+  EXPECT_EQ(swings[0].kind, WarningClass::profile_swing);
+  EXPECT_NE(swings[0].text.find("between slices 2 and 3 the rail is"), std::string::npos);
+  EXPECT_NE(swings[1].text.find("steeper than 1:5"), std::string::npos);
+  EXPECT_TRUE(warnings_on(wavy_rail()).empty());
 }
 
 TEST_F(VaryingScene, RefusesWhatSlicesAndWavesCannotHave) {
