@@ -7,7 +7,7 @@
 The first command prints the tables of docs/evidence/finite-elements.md: it solves the scenes by the library and compares them with the
 stored results of the finite elements (results.json beside this file). The second one computes one of these with CalculiX (ccx,
 Debian package calculix-ccx) and replaces it in the file: cases tread, lobes, corner; meshes 0 to 3 (coarse to fine); --material
-elastic or plastic. Needs numpy and scipy, the picture matplotlib. Methods: scenes.py, contact_mesh.py, figures.py.
+elastic, plastic or unyielding (as plastic, without yield). Needs numpy and scipy, the picture matplotlib. Methods: scenes.py, contact_mesh.py, figures.py.
 """
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 import calculix  # noqa: E402
 from figures import finite_element_figures, library_measures  # noqa: E402
-from scenes import CASES, MATERIALS, SHARES, Scene, blocks_of, scene_of  # noqa: E402
+from scenes import CASES, LOAD, MATERIALS, SHARES, Scene, blocks_of, scene_of  # noqa: E402
 
 MESHES = (0, 1, 2, 3)
 # Name, in the finite elements and in the library, unit, digits, factor; differences are relative unless in %.
@@ -84,9 +84,11 @@ def value_of(step: dict[str, Any], library: dict[str, Any], name: str, factor: f
 
 
 def stored(found: dict[str, Any], name: str, material: str) -> dict[int, list[dict[str, Any]]]:
-    """Steps of the meshes that are there."""
+    """Steps of the meshes that are there, at the shares of the load: where the iteration does not converge ccx puts steps in between."""
     keys = {mesh: f"{name} {material} {mesh}" for mesh in MESHES}
-    return {mesh: found[key]["steps"] for mesh, key in keys.items() if key in found}
+    wanted = [LOAD] if MATERIALS[material] is None else [share * LOAD for share in SHARES]
+    return {mesh: [step for step in found[key]["steps"] if min(abs(step["Fz"] - load) for load in wanted) < 1.0]
+            for mesh, key in keys.items() if key in found}
 
 
 def elastic_table(found: dict[str, Any], library: Library) -> None:
@@ -112,26 +114,25 @@ def elastic_table(found: dict[str, Any], library: Library) -> None:
             title = ""
 
 
-def plastic_table(found: dict[str, Any], library: Library, material: str) -> None:
-    """Against the library's elastic solution at the same force; the area under nodes against elastic elements of the same mesh, at the full load."""
-    print("| contact | load, kN | pmax, wrcontact | change of pmax, mesh " + " | mesh ".join(map(str, MESHES[:-1]))
-          + " | of the area | plastic strain of the rail, mesh " + " | mesh ".join(map(str, MESHES[:-1]))
-          + " | change of Fy |\n" + "|---" * (5 + 2 * len(MESHES[:-1])) + "|")
+def plastic_table(found: dict[str, Any], library: Library) -> None:
+    """Against the same finite elements without yielding, at the same force. The area is that of the nodes under pressure."""
+    meshes = MESHES[:-1]
+    print("| contact | load, kN | pmax, wrcontact | change of pmax, mesh " + " | mesh ".join(map(str, meshes))
+          + " | of the area | of Fy | plastic strain of the rail, mesh " + " | mesh ".join(map(str, meshes))
+          + " |\n" + "|---" * (5 + 2 * len(meshes)) + "|")
     for name, case in CASES.items():
-        runs, elastic = stored(found, name, material), stored(found, name, "elastic")
-        for k, share in enumerate(SHARES):
-            if not runs:
-                continue
-            steps = {mesh: run[k] for mesh, run in runs.items()}
-            by = {mesh: library.of(name, step) for mesh, step in steps.items()}
-            finest = max(steps)
-            step, solved = steps[finest], by[finest]
-            pmax = [f"{100 * (steps[m]['pmax'] / by[m]['pmax'] - 1):+.1f} %" if m in steps else "-" for m in MESHES[:-1]]
-            strain = [f"{100 * steps[m]['plastic strain of rail']:.2f} %" if m in steps else "-" for m in MESHES[:-1]]
-            areas = [f"{100 * (step[key] / elastic[finest][-1][key] - 1):+.0f} %" for key in ("nodes under pressure", "nodes under pressure of corner")
-                     if key in step and finest in elastic and k == len(SHARES) - 1]
-            print(f"| {case.title if k == 0 else ''} | {80 * share:.0f} | {solved['pmax']:.0f} | {' | '.join(pmax)} | {', corner '.join(areas)} | "
-                  f"{' | '.join(strain)} | {100 * (step['Fy'] / solved['Fy'] - 1):+.1f} % |")
+        runs, without = stored(found, name, "plastic"), stored(found, name, "unyielding")
+        both = sorted(set(runs) & set(without))
+        for k, share in enumerate(SHARES if both else ()):
+            def change(mesh: int, key: str) -> float:
+                return 100 * (float(runs[mesh][k][key]) / float(without[mesh][k][key]) - 1)
+
+            pmax = [f"{change(m, 'pmax'):+.1f} %" if m in both else "-" for m in meshes]
+            strain = [f"{100 * runs[m][k]['plastic strain of rail']:.2f} %" if m in both else "-" for m in meshes]
+            area = [f"{change(both[-1], key):+.0f} %" for key in ("nodes under pressure", "nodes under pressure of corner")
+                    if key in runs[both[-1]][k]]
+            print(f"| {case.title if k == 0 else ''} | {80 * share:.0f} | {library.of(name, runs[both[-1]][k])['pmax']:.0f} | {' | '.join(pmax)} | "
+                  f"{', corner '.join(area)} | {change(both[-1], 'Fy'):+.1f} % | {' | '.join(strain)} |")
 
 
 def cost_table(found: dict[str, Any]) -> None:
@@ -213,7 +214,7 @@ def main() -> None:
     found, library = json.loads(options.read.read_text(encoding="utf-8")), Library()
     elastic_table(found, library)
     print(f"\nYield stress and hardening modulus, MPa: {MATERIALS['plastic']}")
-    plastic_table(found, library, "plastic")
+    plastic_table(found, library)
     print()
     cost_table(found)
     if options.picture:

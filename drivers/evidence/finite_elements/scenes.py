@@ -43,8 +43,10 @@ CASES = {
                   0.2),
     "corner": Case("gauge corner, y = 6.2 mm", 6.2, ((0.0, 0.35),), Sizes(0.6, 0.35, 1.35, 14.0), 9.0, 4.0, np.inf, 0.0),
 }
-# Yield stress and linear hardening, MPa.
-MATERIALS = {"elastic": None, "plastic": (500.0, 210e3 * 21e3 / (210e3 - 21e3))}
+# Yield stress and linear hardening, MPa. `unyielding` is `plastic` with the same elements and steps, and a yield stress that nothing
+# reaches: what is left between both is the steel's.
+HARDENING = 210e3 * 21e3 / (210e3 - 21e3)
+MATERIALS = {"elastic": None, "plastic": (500.0, HARDENING), "unyielding": (1e5, HARDENING)}
 SHARES = (0.25, 0.5, 0.75, 1.0)  # of the load, the steps with plasticity
 COARSER = {0: 2.8284, 1: 2.0, 2: 1.4142, 3: 1.0}
 
@@ -133,7 +135,7 @@ def model_of(lower: Body, upper: Body, load: float, plastic: dict[str, str], inc
 
 
 def blocks_of(name: str, mesh: int, material: str) -> tuple[Scene, Blocks]:
-    """A calculation: wheel and rail have the same material. With plasticity contact begins with a part of the depth, and elements have no
+    """A calculation: wheel and rail have the same material. With a yield stress contact begins with a part of the depth, and elements have no
     incompatible modes, with which the iteration of CalculiX does not converge then."""
     case = CASES[name]
     scene = scene_of(case.lateral)
