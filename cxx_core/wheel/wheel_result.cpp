@@ -135,7 +135,11 @@ void note_cut(const WheelSurface& wheel, const RailSurface& rail, WheelResult& r
 
 ContactPoint point_on(const PosedPair& pair, const ContactFrame& frame, double longitudinal,
                       double lateral, const SideFrame& side) {
-  const SurfacePlace surface = surfaces_at(pair, frame, longitudinal, lateral);
+  SurfacePlace surface = surfaces_at(pair, frame, longitudinal, lateral);
+  if (!surface.on_rail) { // between the two ends of a gap: on the plane
+    surface.rail = frame.to_track(longitudinal, lateral, 0.0);
+    surface.rail_angle = frame.angle();
+  }
   ContactPoint point;
   point.x = surface.rail.x;
   point.y = side.mirrored_lateral(surface.rail.y);

@@ -309,6 +309,11 @@ TEST_F(VaryingScene, AWheelStandsOnBothEndsOfAShortGap) {
   EXPECT_NEAR(whole - over.vertical, half * half / 920.0, 2e-4);
   EXPECT_NEAR(over.left->force.z, scene.left.load, 1e-3 * scene.left.load);
   EXPECT_TRUE(over.left->meets_part_end);
+  for (const PatchResult& patch : over.left->patches) { // one, of both ends
+    EXPECT_NEAR(patch.centroid.y, 750.0, 10.0);
+    EXPECT_NEAR(patch.reference.y, 750.0, 10.0);
+    EXPECT_NEAR(patch.reference.z, 0.0, 1.0);
+  }
   scene.left.rail.name = "60E1"; // the other way around
   EXPECT_NO_THROW((void)solve_scene(scene));
 }
