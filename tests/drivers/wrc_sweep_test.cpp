@@ -491,9 +491,8 @@ TEST_F(WrcSweep, MapsOfPatchesLeaveRoomForTheLabelsOfTheirRows) {
   };
   const std::string group = "translate(";
   const double begin = number_behind(group, picture.rfind(group, picture.find(label + '<')));
-  const std::string image = "<image x='";
   constexpr double letter = 6.5; // pixels, DejaVu Sans 10
-  EXPECT_GE(number_behind(image, picture.find(image)),
+  EXPECT_GE(number_behind("<image x='", picture.find("<image x='")),
             begin + letter * static_cast<double>(label.size()));
 }
 
