@@ -34,6 +34,17 @@ void warn_of_unlike_bodies(WheelResult& wheel, const CreepRequest& request) {
   }
 }
 
+/// Of all patches, each by its share of the load: one that has just formed is on few elements.
+double error_of_wheel(const WheelResult& wheel) {
+  double error = 0.0;
+  double force = 0.0;
+  for (const PatchResult& patch : wheel.patches) {
+    error += patch.normal_force * patch.creep->error_estimate.value_or(0.0);
+    force += patch.normal_force;
+  }
+  return force > 0.0 ? error / force : 0.0;
+}
+
 } // namespace
 
 void warn_of_creep_forces(WheelResult& wheel, const CreepRequest& request) {
@@ -45,7 +56,8 @@ void warn_of_creep_forces(WheelResult& wheel, const CreepRequest& request) {
     wheel.warnings.push_back({WarningClass::element_limit,
                               "creep forces: " + text_of_limit(wanted, request.element_limit)});
   }
-  for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
+  const bool beyond = error_of_wheel(wheel) > request.accuracy;
+  for (std::size_t i = 0; beyond && i < wheel.patches.size(); ++i) {
     const PatchResult& patch = wheel.patches[i];
     if (patch.creep->error_estimate.value_or(0.0) > request.accuracy) {
       wheel.warnings.push_back({WarningClass::creep_accuracy,

@@ -144,14 +144,14 @@ double distance_to_sheet(std::span<const SurfaceSheet> sheets, double along) {
 
 Curve widest_section(std::span<const SurfaceSheet> sheets, double along) {
   const double nearest = distance_to_sheet(sheets, along);
-  const SurfaceSheet* widest = nullptr;
+  const SurfaceSheet* widest = sheets.data();
   double width = 0.0;
   for (const SurfaceSheet& sheet : sheets) {
     if (distance_along(sheet, along) > nearest)
       continue;
     const double reach =
         sheet.at(sheet.across().end, along).at[0] - sheet.at(sheet.across().begin, along).at[0];
-    if (widest == nullptr || reach > width) {
+    if (reach > width) {
       widest = &sheet;
       width = reach;
     }

@@ -122,7 +122,7 @@ def from_study(name, keys, text, folder):
     (folder / "s.toml").write_text("\n".join(lines) + "\n", encoding="utf-8")
     done = run(BIN / "wrc_sweep", "s.toml", "--out", "study", "--quiet", folder=folder)
     found = set()
-    if f"  1 scene: {text}" in done.stderr.splitlines() and "1 of 1 scenes have" in done.stderr:
+    if f"  1 scene: {text}" in done.stderr.splitlines() and "1 of 1 scene has" in done.stderr:
         found.add("wrc_sweep")
     row = next(csv.DictReader((folder / "study/s.csv").read_text(encoding="utf-8").splitlines()))
     told = row["warnings"].split(" | ")
