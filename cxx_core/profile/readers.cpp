@@ -310,7 +310,7 @@ ReadResult profile_through(std::span<const Position> points, std::string_view na
   RawProfile raw;
   try {
     for (std::size_t i = 0; i < points.size(); ++i) {
-      for (const std::size_t coordinate : {0, 1})
+      for (const std::size_t coordinate : {std::size_t{0}, std::size_t{1}})
         if (const double value = points[i][coordinate]; !std::isfinite(value))
           log.refuse("point " + std::to_string(i) + ": " +
                      (coordinate == 0 ? "lateral" : "height") + " = " + text_of(value) +
