@@ -69,7 +69,7 @@ double error_along(const Patch& patch) {
   const double before = column > 0 ? row[column - 1] : 0.0;
   const double after = column + 1 < columns ? row[column + 1] : 0.0;
   const double difference = 2.0 * row[column] - before - after;
-  const double of_ellipse = row[column] / (5.0 * variance);
+  const double of_ellipse = row[column] / (4.0 * variance);
   return variance > 0.0 ? error_by_second_difference * std::max(difference - of_ellipse, 0.0) : 0.0;
 }
 
