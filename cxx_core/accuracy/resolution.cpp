@@ -7,6 +7,7 @@
 #include "accuracy/constants.hpp"
 #include "patches/plane_area.hpp"
 #include "pressure/contact_scale.hpp"
+#include "remesh/met_distance.hpp"
 
 namespace wrc {
 namespace {
@@ -49,7 +50,8 @@ double error_at_ridge(const Patch& patch) {
 }
 
 /// Error of the largest pressure by a crest along the rail, MPa: as far as its second difference in
-/// the row exceeds that of a semi-ellipse as long as the row's pressures.
+/// the row exceeds that of a semi-ellipse as long as the row's pressures. None beside an end of a
+/// part, where no number of columns resolves the pressures.
 double error_along(const Patch& patch) {
   const std::size_t columns = patch.grid.longitudinal_count;
   const auto top = static_cast<std::size_t>(
@@ -66,6 +68,12 @@ double error_along(const Patch& patch) {
     second_moment += row[j] * place * place;
   }
   const double variance = second_moment / force - moment * moment / (force * force);
+  const auto is_cut = [&](std::size_t at) {
+    return at < patch.undeformed_distance.size() && !is_met(patch.undeformed_distance[at]);
+  };
+  if ((column > 0 && is_cut(top - 1)) || (column + 1 < columns && is_cut(top + 1))) {
+    return 0.0;
+  }
   const double before = column > 0 ? row[column - 1] : 0.0;
   const double after = column + 1 < columns ? row[column + 1] : 0.0;
   const double difference = 2.0 * row[column] - before - after;

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "accuracy/constants.hpp"
+#include "remesh/constants.hpp"
 
 namespace wrc::test::resolution_test {
 namespace {
@@ -182,6 +183,10 @@ TEST(Resolution, ACrestAlongTheRailCountsByItsSecondDifference) {
   patch.pressure[20 * 20 + 9] *= 1.1;
   EXPECT_NEAR(estimate_error(solution, {}).along, error_by_second_difference * 0.2, 1e-3);
   EXPECT_EQ(estimate_error(solution, {.forces_only = true}).along, 0.0);
+  patch.undeformed_distance.assign(800, -0.05);
+  EXPECT_GT(estimate_error(solution, {}).along, 0.01);
+  patch.undeformed_distance[20 * 20 + 10] = no_material_distance; // an end of a part
+  EXPECT_EQ(estimate_error(solution, {}).along, 0.0);
   const auto columns = [&](double along) {
     return 0.5 /
            finer_elements(solution, {.along = along}, {.accuracy = 1e-2}).front().longitudinal_step;
