@@ -43,6 +43,10 @@ Type value_of_type(const wrc::Scene& scene, const char* key, const char* type) {
 void add_nearest_results(wrc::SceneObject& scene) {
   const std::optional<std::string> name = std::exchange(scene.unknown_result, std::nullopt);
   if (name && scene.error == "no result is named \"" + *name + '"') {
+    if (scene.result && wrc::number_value(*scene.result, *name)) {
+      scene.error = '"' + *name + "\" is a number, not a text";
+      return;
+    }
     if (wrc::number_id(*name)) {
       scene.error += ": the name is known, but this solution has no such number";
       return;
@@ -50,6 +54,10 @@ void add_nearest_results(wrc::SceneObject& scene) {
     std::vector<std::string> names = wrc::possible_number_names();
     if (scene.result) {
       for (auto& [text, value] : wrc::text_values(*scene.result)) {
+        if (text == *name) {
+          scene.error = '"' + *name + "\" is a text, not a number";
+          return;
+        }
         names.push_back(text);
       }
     }

@@ -57,6 +57,9 @@ public:
       begin = std::min(begin, sheet.at(sheet.across().begin, places_.back()).at[0]);
       end = std::max(end, sheet.at(sheet.across().end, places_.back()).at[0]);
     }
+    if (sheet.is_periodic()) { // the first slice follows the last one
+      places_.push_back(sheet.knots().back());
+    }
     for (std::size_t line = 0; line < check_lines; ++line) {
       const double share = (static_cast<double>(line) + 0.5) / static_cast<double>(check_lines);
       laterals_.push_back(std::lerp(begin, end, share));
@@ -96,9 +99,8 @@ private:
     below_.assign(check_lines, 0.0);
     const double step = places_[i + 1] - places_[i];
     for (std::size_t line = 0; line < check_lines; ++line) {
-      const std::optional<double> one = i > 0 ? second(slices, i, line) : std::nullopt;
-      const std::optional<double> other =
-          i + 2 < places_.size() ? second(slices, i + 1, line) : std::nullopt;
+      const std::optional<double> one = second(slices, i, line);
+      const std::optional<double> other = second(slices, i + 1, line);
       if (!one && !other) {
         continue;
       }
@@ -109,17 +111,24 @@ private:
     }
   }
 
-  /// The second divided difference about a slice, twice; none where a neighbour has not the line.
+  /// The second divided difference about a slice, twice; none at an end of the sheet and where a
+  /// neighbour has not the line.
   [[nodiscard]] std::optional<double> second(const std::vector<Section>& slices, std::size_t i,
                                              std::size_t line) const {
-    const double low = slices[i - 1].height[line];
+    const std::size_t last = places_.size() - 1;
+    if (!sheet_.is_periodic() && (i == 0 || i == last)) {
+      return std::nullopt;
+    }
+    const std::size_t one = i > 0 ? i - 1 : last - 1; // the last place is the first one again
+    const std::size_t other = i < last ? i : 0;
+    const double low = slices[one].height[line];
     const double here = slices[i].height[line];
-    const double high = slices[i + 1].height[line];
+    const double high = slices[other + 1].height[line];
     if (!std::isfinite(low) || !std::isfinite(here) || !std::isfinite(high)) {
       return std::nullopt;
     }
-    const double before = places_[i] - places_[i - 1];
-    const double after = places_[i + 1] - places_[i];
+    const double before = places_[one + 1] - places_[one];
+    const double after = places_[other + 1] - places_[other];
     return 2.0 * ((high - here) / after - (here - low) / before) / (before + after);
   }
 
@@ -193,7 +202,7 @@ private:
     fault.size = size;
     fault.place = place;
     fault.slice = first_slice_ + i + 1;
-    fault.slice_next = fault.slice + 1;
+    fault.slice_next = sheet_.is_periodic() && i + 2 == places_.size() ? 1 : fault.slice + 1;
   }
 
   const SurfaceSheet& sheet_;

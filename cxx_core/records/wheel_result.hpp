@@ -122,7 +122,7 @@ struct WheelResult {
   StopReason stop_reason = StopReason::tolerance_met;
   std::optional<int> state;         ///< flags of wheel/wheel_state.hpp, of mechanics
   bool solved = false;              ///< the mechanics have run
-  bool meets_part_end = false;      ///< first touch at the end of a part of a rail that varies
+  bool meets_part_end = false;      ///< an end of a body that varies is in the contact
   std::vector<PatchResult> patches; ///< largest normal force first
   Warnings warnings;
   WheelDetails details;

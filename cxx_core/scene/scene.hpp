@@ -121,8 +121,8 @@ struct Scene : WheelOptions {
   double near_tolerance = 0.1; ///< contacts listed as near: distance at first touch, mm
   int threads = 1;
 
-  /// Keys that were set, other than to the word that is their default; which of them have no effect
-  /// beside others is in scene/unused_keys.hpp.
+  /// Keys that were set, other than to their default; which of them have no effect beside others is
+  /// in scene/unused_keys.hpp.
   KeySet given;
 
   Scene();

@@ -8,7 +8,6 @@
 #include "profile/readers.hpp"
 #include "profile/writers.hpp"
 #include "scene/scene_keys.hpp"
-#include "scene/unused_keys.hpp"
 
 namespace wrc {
 namespace {
@@ -88,13 +87,8 @@ std::string scene_text(const Scene& scene) {
   in_mm.convention = {};
   std::string text;
   std::string table;
-  std::size_t id = 0;
   for (const KeyDescription& key : scene_keys()) {
     const KeyValue value = key_value(in_mm, key.name);
-    if (const std::size_t own = id++; std::holds_alternative<double>(value) && !scene.given[own] &&
-                                      has_no_effect(scene, static_cast<std::int32_t>(own))) {
-      continue; // reading the file would be setting it
-    }
     if (std::holds_alternative<std::monostate>(value)) {
       continue; // the keys of its two parts hold it
     }

@@ -1,11 +1,10 @@
 /// A scene as a file that wrc_case replays bit for bit.
 ///
-/// TOML, one table for the first part of a key: every key that has a value, except numbers that
-/// nobody set and that have no effect (scene/unused_keys.hpp), in the order of scene_keys, numbers
-/// in mm, N, MPa, rad, y left, z up, with digits that read back as the same doubles. Profile files
-/// are named with their full path. Profiles given by the program go into files of their points
-/// beside it, "<name>.wheel.txt" and "<name>.rail.txt". Thread rule: the caller must not write one
-/// path from two threads.
+/// TOML, one table for the first part of a key: every key that has a value, in the order of
+/// scene_keys, numbers in mm, N, MPa, rad, y left, z up, with digits that read back as the same
+/// doubles. Profile files are named with their full path. Profiles given by the program go into
+/// files of their points beside it, "<name>.wheel.txt" and "<name>.rail.txt". Thread rule: the
+/// caller must not write one path from two threads.
 #pragma once
 
 #include <filesystem>

@@ -19,6 +19,13 @@ const std::vector<Key>& keys() {
     if (made.size() > KeySet().size()) {
       throw Error(ErrorCode::internal, "KeySet is smaller than the number of keys");
     }
+    const Scene usual;
+    for (Key& key : made) {
+      const KeyValue value = key.get(usual);
+      if (const auto* number = std::get_if<double>(&value)) {
+        key.usual = *number;
+      }
+    }
     return made;
   }();
   return all;
@@ -136,6 +143,11 @@ void mark_given(Scene& scene, const Key& key, bool given = true) {
   scene.given[static_cast<std::size_t>(&key - keys().data())] = given;
 }
 
+void set_checked_number(Scene& scene, const Key& key, double value) {
+  key.set_number(scene, value);
+  mark_given(scene, key, key.usual != value);
+}
+
 } // namespace
 
 std::span<const KeyDescription> scene_keys() {
@@ -160,8 +172,7 @@ KeyValue key_value(const Scene& scene, std::string_view name) {
 
 void set_number(Scene& scene, std::string_view name, double value) {
   const Key& key = find_key(name);
-  key.set_number(scene, checked_number(key, scene.convention, value));
-  mark_given(scene, key);
+  set_checked_number(scene, key, checked_number(key, scene.convention, value));
 }
 
 std::int32_t key_id(std::string_view name) {
@@ -182,8 +193,8 @@ void set_numbers_by_id(Scene& scene, std::span<const std::int32_t> ids,
   }
   // Nothing fails from here on: numbers change no convention, and setting one takes no memory.
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    key_of(i).set_number(scene, from_caller(values[i], scene.convention, key_of(i).dimension));
-    mark_given(scene, key_of(i));
+    set_checked_number(scene, key_of(i),
+                       from_caller(values[i], scene.convention, key_of(i).dimension));
   }
 }
 

@@ -17,7 +17,7 @@ using Names = std::initializer_list<std::string_view>;
 /// A key that has no effect where the condition holds.
 struct Row {
   std::int32_t key = 0;
-  std::vector<std::int32_t> causes; ///< any of which must be set; none: the reason says why
+  std::vector<std::int32_t> causes; ///< of which one took its place; none: the reason says why
   std::string_view reason;          ///< if there are no causes
   Condition holds = nullptr;
 };
@@ -26,9 +26,12 @@ bool has_load(const Scene& scene) { // of the pressures, not replaced by another
   return !scene.vertical && !scene.normal_load;
 }
 
-bool has_no_creep_forces(const Scene& scene) {
-  return scene.creep == CreepModel::none || !(scene.has_creepages() || scene.motion);
+bool wants_wear(const Scene& scene) {
+  return scene.damage.wear || scene.damage.fatigue;
 }
+
+const Names loads{"load.vertical",       "load.left",       "load.right",      "load.normal",
+                  "load.total_vertical", "load.total_left", "load.total_right"};
 
 std::vector<Row> make_rows() {
   std::vector<Row> rows;
@@ -42,9 +45,7 @@ std::vector<Row> make_rows() {
       rows.push_back(row);
     }
   };
-  add({"load.vertical", "load.left", "load.right", "load.normal", "load.total_vertical",
-       "load.total_left", "load.total_right"},
-      {"pose.vertical"}, [](const Scene& s) { return s.vertical.has_value(); });
+  add(loads, {"pose.vertical"}, [](const Scene& s) { return s.vertical.has_value(); });
   add({"load.vertical", "load.left", "load.right", "load.total_vertical", "load.total_left",
        "load.total_right"},
       {"load.normal"}, [](const Scene& s) { return !s.vertical && s.normal_load; });
@@ -74,9 +75,10 @@ std::vector<Row> make_rows() {
       {"motion.torque"}, {}, [](const Scene& s) { return s.torque != 0.0 && !s.pitch_is_free; },
       " is not used: motion.pitch is not \"free\"");
 
-  add({"friction.coefficient"}, {"friction.places"}, [](const Scene& s) {
-    return !s.left.friction.places.empty() && !s.right.friction.places.empty();
-  });
+  add({"friction.coefficient"},
+      {"friction.places", "friction.left_places", "friction.right_places"}, [](const Scene& s) {
+        return !s.left.friction.places.empty() && !s.right.friction.places.empty();
+      });
   add({"friction.left"}, {"friction.left_places", "friction.places"},
       [](const Scene& s) { return !s.left.friction.places.empty(); });
   add({"friction.right"}, {"friction.right_places", "friction.places"},
@@ -92,7 +94,11 @@ std::vector<Row> make_rows() {
   add({"solve.grid"}, {"solve.accuracy"}, [](const Scene& s) { return !s.grid; });
   add(
       {"solve.results"}, {},
-      [](const Scene& s) { return (s.damage.wear || s.damage.fatigue) && has_no_creep_forces(s); },
+      [](const Scene& s) { return wants_wear(s) && s.creep == CreepModel::none; },
+      ": no wear or fatigue without creep forces, which solve.creep = \"none\" leaves out");
+  add(
+      {"solve.results"}, {},
+      [](const Scene& s) { return wants_wear(s) && !s.has_creepages() && !s.motion; },
       ": no wear or fatigue without creep forces, which keys of creepage.* or motion.* request");
   return rows;
 }
@@ -100,11 +106,16 @@ std::vector<Row> make_rows() {
 struct Table {
   std::vector<Row> rows = make_rows();
   KeySet keys; ///< of the rows
+  KeySet overruled_by_steps;
 
   Table() {
     for (const Row& row : rows) {
       keys.set(static_cast<std::size_t>(row.key));
     }
+    for (const std::string_view load : loads) {
+      overruled_by_steps.set(static_cast<std::size_t>(key_id(load)));
+    }
+    overruled_by_steps.set(static_cast<std::size_t>(key_id("motion.torque")));
   }
 };
 
@@ -121,14 +132,6 @@ std::string name_of_key(std::int32_t key) {
   return std::string(scene_keys()[static_cast<std::size_t>(key)].name);
 }
 
-/// Whether a key that is set has no effect, and the scene says why.
-bool applies(const Row& row, const Scene& scene) {
-  return is_given(scene.given, row.key) && row.holds(scene) &&
-         (row.causes.empty() ||
-          std::any_of(row.causes.begin(), row.causes.end(),
-                      [&](std::int32_t cause) { return is_given(scene.given, cause); }));
-}
-
 } // namespace
 
 UnusedKeys::UnusedKeys(const Scene& scene) : given_(scene.given) {
@@ -138,7 +141,7 @@ UnusedKeys::UnusedKeys(const Scene& scene) : given_(scene.given) {
   KeySet told; // by the first row that applies
   std::size_t place = 0;
   for (const Row& row : table().rows) {
-    if (!is_given(told, row.key) && applies(row, scene)) {
+    if (!is_given(told, row.key) && is_given(scene.given, row.key) && row.holds(scene)) {
       told.set(static_cast<std::size_t>(row.key));
       found_.set(place);
     }
@@ -152,18 +155,19 @@ void UnusedKeys::append_to(Warnings& all) const {
       continue;
     }
     const Row& row = table().rows[place];
-    const auto cause = std::find_if(row.causes.begin(), row.causes.end(),
+    // One that was set to its default is not among those given: the first one then stands for it.
+    const auto given = std::find_if(row.causes.begin(), row.causes.end(),
                                     [&](std::int32_t key) { return is_given(given_, key); });
-    const std::string reason = cause == row.causes.end()
+    const auto cause = given == row.causes.end() ? row.causes.begin() : given;
+    const std::string reason = row.causes.empty()
                                    ? std::string(row.reason)
                                    : " is not used: " + name_of_key(*cause) + " is set";
     all.push_back({WarningClass::unused_key, name_of_key(row.key) + reason});
   }
 }
 
-bool has_no_effect(const Scene& scene, std::int32_t key) {
-  return std::any_of(table().rows.begin(), table().rows.end(),
-                     [&](const Row& row) { return row.key == key && row.holds(scene); });
+const KeySet& keys_overruled_by_steps() {
+  return table().overruled_by_steps;
 }
 
 } // namespace wrc

@@ -2,7 +2,7 @@
 ///
 /// One table says which key leaves which others without effect: a prescribed height the loads,
 /// `load.normal` the other loads, creepages the motion. It counts what a scene holds, so the order
-/// of keys matters where setting one resets another. Words that unset a key ("none") set nothing.
+/// of keys matters where setting one resets another. A key that is set to its default sets nothing.
 /// A check costs some bits, and texts are put together when they are read. Thread rule: plain
 /// values.
 ///
@@ -33,7 +33,7 @@ private:
   KeySet given_;
 };
 
-/// Whether a key, by its id, has no effect in a scene, set or not.
-bool has_no_effect(const Scene& scene, std::int32_t key);
+/// Those that every step of a vehicle code overrules, which is no contradiction: loads and torque.
+const KeySet& keys_overruled_by_steps();
 
 } // namespace wrc

@@ -10,6 +10,7 @@
 #include "scene/number_tables.hpp"
 #include "scene/patch_summary.hpp"
 #include "scene/scene_keys.hpp"
+#include "scene/unused_keys.hpp"
 
 namespace wrc {
 namespace {
@@ -176,9 +177,7 @@ Scene scene_at(const Scene& scene, const VehicleState& state) {
     set_number(posed, "friction.left", (*state.friction)[0]);
     set_number(posed, "friction.right", (*state.friction)[1]);
   }
-  // Keys of the scene that a step overrules, such as its loads, do not contradict each other.
-  posed.given = scene.given;
-  posed.given[static_cast<std::size_t>(key_id("motion.torque"))] = false;
+  posed.given = scene.given & ~keys_overruled_by_steps();
   posed.derivatives = state.derivatives;
   if (state.history) {
     check_history(posed, state.time_step);

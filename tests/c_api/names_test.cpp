@@ -334,5 +334,15 @@ TEST(Table, TakesEachKeyOnce) {
   EXPECT_EQ(table[0], -1.0);
 }
 
+TEST(Names, ANumberIsNoTextAndATextIsNoNumber) {
+  const ScenePointer scene = solve_moving();
+  const char* text = nullptr;
+  EXPECT_EQ(wrc_scene_text(scene.get(), "left.pmax", &text), WRC_UNKNOWN_NAME);
+  EXPECT_STREQ(wrc_scene_error(scene.get()), "\"left.pmax\" is a number, not a text");
+  double number = 0.0;
+  EXPECT_EQ(wrc_scene_number(scene.get(), "left.model", &number), WRC_UNKNOWN_NAME);
+  EXPECT_STREQ(wrc_scene_error(scene.get()), "\"left.model\" is a text, not a number");
+}
+
 } // namespace
 } // namespace names_test

@@ -90,6 +90,27 @@ TEST(AlongCheck, FindsWhatStandsProudBesideASharpFlat) {
   EXPECT_EQ(text_of_all(flat(0.002), ProfileKind::wheel), "");
 }
 
+/// Slices around the wheel, none within 0.1 rad of a flat's end: the same wherever the list begins.
+TEST(AlongCheck, LooksBetweenTheLastSliceAndTheFirst) {
+  const auto check = [](double begin) {
+    std::vector<double> places;
+    for (int i = 0; i < 60; ++i)
+      places.push_back(begin + 2.0 * std::numbers::pi * i / 60);
+    const SlicedProfile profile = profile_of(places, [](double theta) {
+      const double near = std::remainder(theta, 2.0 * std::numbers::pi);
+      return curve_of([&](double) { return Height{std::abs(near) < 0.06 ? -0.5 : 0.0, 0.0, 0.0}; });
+    });
+    return check_along(profile, sheets_of(profile, 0.0, 2.0 * std::numbers::pi, {"mm", 460.0}),
+                       {"mm", 460.0});
+  };
+  const double step = 2.0 * std::numbers::pi / 60;
+  const AlongCheck middle = check(-30.0 * step);
+  const AlongCheck seam = check(step); // the step down is between the last slice and the first
+  EXPECT_GT(std::abs(middle.swing.size), 0.01);
+  EXPECT_NEAR(seam.swing.size, middle.swing.size, 1e-9);
+  EXPECT_EQ(seam.swing.intervals, middle.swing.intervals);
+}
+
 TEST(AlongCheck, ReportsTheLargestSwing) {
   EXPECT_EQ(swing_text({}), "between slices the surface is nowhere above or below both");
   AlongCheck check;
