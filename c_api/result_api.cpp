@@ -144,6 +144,7 @@ wrc_status wrc_scene_field(wrc_scene* scene, const char* name, double* values, i
     if (!object.field || object.field->first != name) {
       auto computed = wrc::field_values(*object.result, name, object.scene.convention);
       if (!computed) {
+        object.unknown_result = name;
         throw_unknown("field", name);
       }
       object.field.emplace(name, std::move(*computed));

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "base/nearest_names.hpp"
@@ -39,29 +40,56 @@ Type value_of_type(const wrc::Scene& scene, const char* key, const char* type) {
                    std::string(key) + ": its value is not a " + type);
 }
 
-/// Completes the text of an error that is about the name of a result.
-void add_nearest_results(wrc::SceneObject& scene) {
-  const std::optional<std::string> name = std::exchange(scene.unknown_result, std::nullopt);
-  if (name && scene.error == "no result is named \"" + *name + '"') {
-    if (scene.result && wrc::number_value(*scene.result, *name)) {
-      scene.error = '"' + *name + "\" is a number, not a text";
-      return;
-    }
-    if (wrc::number_id(*name)) {
-      scene.error += ": the name is known, but this solution has no such number";
-      return;
-    }
-    std::vector<std::string> names = wrc::possible_number_names();
-    if (scene.result) {
-      for (auto& [text, value] : wrc::text_values(*scene.result)) {
-        if (text == *name) {
-          scene.error = '"' + *name + "\" is a text, not a number";
-          return;
-        }
-        names.push_back(text);
+constexpr const char* known_but_absent = ": the name is known, but this solution has no such ";
+
+/// The text of an error about the name of a field.
+std::string unknown_field(wrc::SceneObject& scene, const std::string& name) {
+  if (wrc::number_value(*scene.result, name)) {
+    return '"' + name + "\" is a number, not a field";
+  }
+  const std::string last_word = name.substr(name.rfind('.') + 1);
+  const std::vector<std::string> fields = wrc::field_names();
+  return scene.error + (std::find(fields.begin(), fields.end(), last_word) != fields.end()
+                            ? std::string(known_but_absent) + "field"
+                            : "; nearest: " + wrc::nearest_names(last_word, fields));
+}
+
+/// The text of an error about the name of a number or text.
+std::string unknown_result(wrc::SceneObject& scene, const std::string& name) {
+  if (scene.result && wrc::number_value(*scene.result, name)) {
+    return '"' + name + "\" is a number, not a text";
+  }
+  if (wrc::number_id(name)) {
+    return scene.error + known_but_absent + "number";
+  }
+  std::vector<std::string> names = wrc::possible_number_names();
+  if (scene.result) {
+    for (auto& [text, value] : wrc::text_values(*scene.result)) {
+      if (text == name) {
+        return '"' + name + "\" is a text, not a number";
       }
+      names.push_back(text);
     }
-    scene.error += "; nearest: " + wrc::nearest_names(*name, names);
+    if (wrc::field_values(*scene.result, name)) {
+      return '"' + name + "\" is a field, not a number or a text";
+    }
+  }
+  for (const std::string& field : wrc::field_names()) {
+    names.push_back("left.patches.0." + field); // Python reads all by one function
+  }
+  return scene.error + "; nearest: " + wrc::nearest_names(name, names);
+}
+
+/// Completes the text of an error that is about the name of a result.
+void complete_error(wrc::SceneObject& scene) {
+  const std::optional<std::string> name = std::exchange(scene.unknown_result, std::nullopt);
+  if (!name) {
+    return;
+  }
+  if (scene.error == "no field is named \"" + *name + '"') {
+    scene.error = unknown_field(scene, *name);
+  } else if (scene.error == "no result is named \"" + *name + '"') {
+    scene.error = unknown_result(scene, *name);
   }
 }
 
@@ -79,7 +107,7 @@ void wrc_scene_destroy(wrc_scene* scene) {
 
 const char* wrc_scene_error(const wrc_scene* scene) {
   wrc::look_at<bool>(scene, false, [](wrc::SceneObject& object) {
-    add_nearest_results(object);
+    complete_error(object);
     return true;
   });
   return wrc::error_of(scene);

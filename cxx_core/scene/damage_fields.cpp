@@ -93,4 +93,12 @@ const PatchField* damage_field(std::string_view name) {
   return found != fields.end() ? &*found : nullptr;
 }
 
+std::vector<std::string> damage_field_names() {
+  std::vector<std::string> names;
+  for (const PatchField& field : fields) {
+    names.emplace_back(field.name);
+  }
+  return names;
+}
+
 } // namespace wrc

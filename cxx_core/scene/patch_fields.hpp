@@ -18,5 +18,7 @@ struct PatchField {
 
 /// That of stresses or wear with this name, or none (damage_fields.cpp).
 const PatchField* damage_field(std::string_view name);
+/// All names of those.
+std::vector<std::string> damage_field_names();
 
 } // namespace wrc

@@ -266,4 +266,17 @@ std::optional<std::vector<double>> field_values(SceneResult& result, std::string
                   field->dimension);
 }
 
+std::vector<std::string> field_names() {
+  std::vector<std::string> names = damage_field_names();
+  const auto add = [&names](const auto& list) {
+    for (const auto& field : list) {
+      names.emplace_back(field.name);
+    }
+  };
+  add(outlines);
+  add(lobe_fields);
+  add(patch_fields);
+  return names;
+}
+
 } // namespace wrc

@@ -72,5 +72,7 @@ std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& 
 /// found when the first of their fields is requested.
 std::optional<std::vector<double>> field_values(SceneResult& result, std::string_view name,
                                                 const Convention& convention = {});
+/// The last word of all names that fields have.
+std::vector<std::string> field_names();
 
 } // namespace wrc

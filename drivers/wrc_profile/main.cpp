@@ -139,8 +139,12 @@ int run_surface(const CLI::App& app, const Arguments& arguments) {
   }
   Profile profile;
   const wrc_read_options options = options_from(app, arguments);
-  const std::int64_t sheets =
-      profile.load_surface(arguments.name, &options, arguments.smoothing_along);
+  std::int64_t sheets = 0;
+  try {
+    sheets = profile.load_surface(arguments.name, &options, arguments.smoothing_along);
+  } catch (const wrcontact::Error& error) {
+    throw Failure(std::string(error.what()) + " (--slice N shows one slice alone)");
+  }
   if (!arguments.plot.empty()) {
     draw_surface(profile, sheets, std::filesystem::path(arguments.name).filename().string(),
                  options.kind_given != 0 ? options.kind == WRC_WHEEL

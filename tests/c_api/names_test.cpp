@@ -344,5 +344,25 @@ TEST(Names, ANumberIsNoTextAndATextIsNoNumber) {
   EXPECT_STREQ(wrc_scene_error(scene.get()), "\"left.model\" is a text, not a number");
 }
 
+TEST(Names, ErrorsAboutFieldsSayWhatIsMeant) {
+  const ScenePointer scene = solve_moving();
+  const auto message = [&scene](const char* name) {
+    std::int64_t count = 0;
+    EXPECT_EQ(wrc_scene_field(scene.get(), name, nullptr, 0, &count), WRC_UNKNOWN_NAME);
+    return std::string(wrc_scene_error(scene.get()));
+  };
+  EXPECT_EQ(message("left.patches.0.presure"),
+            "no field is named \"left.patches.0.presure\"; nearest: pressure");
+  EXPECT_EQ(
+      message("left.patches.9.pressure"),
+      "no field is named \"left.patches.9.pressure\": the name is known, but this solution has "
+      "no such field");
+  EXPECT_EQ(message("left.pmax"), "\"left.pmax\" is a number, not a field");
+  double number = 0.0;
+  EXPECT_EQ(wrc_scene_number(scene.get(), "left.pressure", &number), WRC_UNKNOWN_NAME);
+  EXPECT_STREQ(wrc_scene_error(scene.get()),
+               "\"left.pressure\" is a field, not a number or a text");
+}
+
 } // namespace
 } // namespace names_test

@@ -350,6 +350,7 @@ TEST_F(WrcCase, ProfilePathsAreRelativeToTheSceneFile) {
 TEST_F(WrcCase, RefusesUnknownKeysAndBadValues) {
   run("--set pose.sideways=1").expect_refusal({"pose.sideways", "pose.lateral"});
   run("--set pose.lateral=20000").expect_refusal({"pose.lateral = 20000", "-1e4 to 1e4"});
+  run("--set solve.results=[stress,wear]").expect_refusal({"blanks between them"});
   run("--set pose.lateral=5mm").expect_refusal({"pose.lateral = \"5mm\": not a number"});
   run("--set pose.lateral=far").expect_refusal({"pose.lateral = \"far\"", "-1e4 to 1e4"});
   run("--set solve.side=middle").expect_refusal({"solve.side", "middle", "\"left\""});

@@ -160,6 +160,9 @@ TEST_F(WrcProfile, JoinsTheSlicesOfAFileToASurface) {
   ASSERT_EQ(run("rail.slcs --slice 2 --convert one.prr").exit_code, 0);
   run("one.prr --slice 3").expect_refusal({"one.prr: slice = 3, allowed with a slices file"});
   run("rail.slcs --points").expect_refusal({"--points", "--slice N"});
+  write("one.slcs", "0 10\n1\n0\n1\n0 'a.txt'\n");
+  run("one.slcs").expect_refusal({"number of slices = 1: at least 2", "--slice N"});
+  EXPECT_EQ(run_json("one.slcs --slice 1").at("kind"), "rail");
   run("S1002 --smooth-along 3").expect_refusal({"--smooth-along", ".slcs"});
 }
 
