@@ -50,8 +50,10 @@ Slip<Real> slip_of(const State<Real>& state, const WheelsetMotion& wheelset,
     velocity.z = velocity.z - dot(velocity, patch.normal) / patch.normal.z;
   }
   Slip<Real> slip;
-  slip.reference_speed =
-      0.5 * (state.speed * (1.0 - curvature * patch.reference_y) - cross(rolling, arm).x);
+  const Vector& ahead = patch.longitudinal;
+  const Real travelled = ahead.x + ahead.z * ahead.z / ahead.x; // for each mm along the track
+  slip.reference_speed = 0.5 * (state.speed * (1.0 - curvature * patch.reference_y) * travelled -
+                                dot(cross(rolling, arm), ahead));
   const double slowest = wheelset.motion.standstill_speed;
   slip.slip_speed = sqrt(slip.reference_speed * slip.reference_speed + Real(slowest * slowest));
   const std::array<const Vector*, 3> axes{&patch.longitudinal, &patch.lateral, &patch.normal};

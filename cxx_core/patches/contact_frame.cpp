@@ -46,7 +46,8 @@ std::vector<double> row_angles(const ContactFrame& frame, const Grid& grid) {
 }
 
 double ContactFrame::angle() const {
-  return std::atan2(lateral.z, std::hypot(lateral.x, lateral.y));
+  return tangent ? std::atan2(-normal.y, normal.z)
+                 : std::atan2(lateral.z, std::hypot(lateral.x, lateral.y));
 }
 
 ContactFrame tangent_frame(Vector3 origin, double contact_angle, double rise) {
@@ -55,9 +56,10 @@ ContactFrame tangent_frame(Vector3 origin, double contact_angle, double rise) {
   ContactFrame frame{origin, {1.0, 0.0, 0.0}, {0.0, cosine, sine}, {0.0, -sine, cosine}, true};
   if (rise != 0.0) {
     const double level = 1.0 / std::sqrt(1.0 + rise * rise);
-    const Vector3 across = frame.normal;
-    frame.longitudinal = level * (frame.longitudinal + rise * across);
-    frame.normal = cross(frame.longitudinal, frame.lateral);
+    frame.normal = level * (frame.normal - rise * frame.longitudinal);
+    const double reach = std::hypot(cosine, rise);
+    frame.longitudinal = {cosine / reach, 0.0, rise / reach};
+    frame.lateral = cross(frame.normal, frame.longitudinal);
   }
   return frame;
 }

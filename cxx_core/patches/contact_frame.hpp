@@ -1,8 +1,10 @@
 /// The plane in which a contact patch is gridded, and the direction in which gaps are measured.
 ///
 /// Two conventions:
-///  - `tangent`: origin on the rail; longitudinal along the track's x, lateral along the tangent
-///    at the contact angle, normal = the angle's normal. Right for contacts of any steepness.
+///  - `tangent`: origin on the rail; longitudinal where the tangent plane meets a plane through the
+///    track's x and z, which is x on a rail that does not rise; lateral across it, normal that of
+///    the plane. Right for contacts of any steepness. Material flows along x and z: a rail that
+///    rises evenly is so the same as a level one on a track turned about y, whatever the angle.
 ///  - `vertical`: the wheelset frame's own x, y and z, as the paper measures (steps a to f of its
 ///    section 2.2). Right only for small contact angles; kept to reproduce the paper.
 /// Both frames are given in the track frame of the side, left-hand side (geometry/frames.hpp).
@@ -45,7 +47,8 @@ struct ContactFrame {
   [[nodiscard]] double lateral_of(const Vector3& from_origin) const;
   /// The same plane, and curve, from another origin.
   [[nodiscard]] ContactFrame seen_from(const Vector3& new_origin) const;
-  /// Inclination of the lateral axis against the track plane, rad, > 0: rises to the field side.
+  /// Inclination of the plane's section across the track (by the other convention: of the lateral
+  /// axis against the track plane), rad, > 0: rises to the field side.
   [[nodiscard]] double angle() const;
 };
 

@@ -229,7 +229,9 @@ ReadResult read_slice(const std::string& content, const std::filesystem::path& p
                 path.string() + ": slice = " + std::to_string(options.slice) +
                     ", allowed is 1 to " + std::to_string(count) + " of its " +
                     slices_text(slices, kind) +
-                    "; one profile is read here: wrc_profile FILE --slice N --convert makes it");
+                    "; one profile is read here. All slices together are a rail or a wheel of a "
+                    "scene (track.rail, "
+                    "wheelset.wheel); wrc_profile FILE --slice N --convert writes one of them");
   const Slice& chosen = slices[static_cast<std::size_t>(options.slice - 1)];
   if (type_of(chosen.file).format == ProfileFormat::slices)
     throw Error(ErrorCode::file_malformed,

@@ -15,9 +15,11 @@ namespace {
 /// other, which is its rails' variation, and 7 reach 0.08 to 1.24, where parts begin or end or the
 /// slices are cut at other places.
 constexpr double least_excess = 0.05;
-/// A line this near to an end of a slice, over the length of the shorter slice, is the end's.
+/// A line this near to an end of a slice, over the length of the shorter slice, is the end's, and
+/// lengths this near to each other are equal.
 /// origin: reasoned: much less than least_excess, so that no line is near to both ends of a common
-/// stretch; 0.5 mm of a rail's 100 mm.
+/// stretch; 0.5 mm of a rail's 100 mm. A rise that is taken for ends makes lengths differ by twice
+/// least_excess or more.
 constexpr double same_line = 0.1 * least_excess;
 constexpr std::size_t most_joints = 10; // joints in a message; not a tuning constant
 
@@ -196,6 +198,9 @@ SliceMatch match_slices(const Curve& slice, const Curve& next) {
   }
   if (!(match.end - match.begin > least && match.next_end - match.next_begin > least))
     match.end = match.begin; // touching ends are nothing common
+  else if (std::abs(match.end - match.begin - (match.next_end - match.next_begin)) >
+           std::abs(length - next_length) + same_line * std::min(length, next_length))
+    return {0.0, length, 0.0, next_length, true};
   return match;
 }
 

@@ -113,12 +113,15 @@ void check_slices(const ProfileChoice& choice, ProfileKind kind, const std::stri
   const char last = choice.name.back();
   if ((last == 's' || last == 'S') != (kind == ProfileKind::rail)) {
     throw_invalid_argument(key, choice.name,
-                           kind == ProfileKind::rail ? "slices of a rail, .slcs"
-                                                     : "slices of a wheel, .slcw");
+                           kind == ProfileKind::rail
+                               ? "allowed of slices are those of a rail, .slcs"
+                               : "allowed of slices are those of a wheel, .slcw");
   }
-  const std::string allowed = "allowed with slices, which their file places, is the default";
+  const std::string allowed = "not allowed with slices, which their file places";
   if (choice.origin != WheelOrigin::by_file) {
-    throw_invalid_argument("wheelset.profile_origin", "not \"file\"", allowed);
+    throw_invalid_argument("wheelset.profile_origin",
+                           choice.origin == WheelOrigin::tape ? "\"tape\"" : "\"flange-back\"",
+                           allowed);
   }
   if (choice.shift != 0.0) {
     throw_invalid_argument("wheelset.profile_shift", choice.shift, allowed);

@@ -126,7 +126,7 @@ ContactPoint mean_point(const std::vector<PatchResult>& patches, double normal_f
 
 void note_cut(const WheelSurface& wheel, const RailSurface& rail, WheelResult& result) {
   if (std::optional<ContactCut> cut = find_cut(result.patches, wheel, rail)) {
-    result.meets_part_end = result.meets_part_end || cut->is_along;
+    result.meets_part_end = true;
     result.warnings.push_back(std::move(cut->warning));
   }
 }

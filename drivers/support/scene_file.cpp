@@ -161,6 +161,17 @@ bool is_slices_file(const std::string& name) {
   return extension == ".slcs" || extension == ".slcw";
 }
 
+void refuse_varying(const Scene& scene, const std::string& what) {
+  for (const auto& [key, value] : values_in_force(scene)) {
+    const std::vector<double>* list = std::get_if<std::vector<double>>(&value);
+    const bool waves = key.ends_with("harmonics") && list != nullptr && !list->empty();
+    if (waves || (names_profile(key) && is_slices_file(text_of(value)))) {
+      throw Failure(key + " = " + text_of(value) + ": " + what +
+                    " rails do not vary along the track, nor wheels around their circumference");
+    }
+  }
+}
+
 Profile load_profile(const Scene& scene, std::int32_t kind, const std::string& name) {
   const bool wheel = kind == WRC_WHEEL;
   Profile profile;

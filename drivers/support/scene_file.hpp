@@ -38,6 +38,10 @@ bool takes_list(const std::string& key);
 /// Whether a file's name is that of a list of slices (.slcs, .slcw), in any case.
 bool is_slices_file(const std::string& name);
 
+/// Throws Failure, naming the key, if a rail or wheel of the scene varies along the track or around
+/// the wheel; `what` says where profiles do not: "in a mission".
+void refuse_varying(const Scene& scene, const std::string& what);
+
 /// A profile by its built-in name or from a file, as a scene with these keys reads it: smoothing,
 /// and of wheels taping line and shift. Throws Failure if it is of the other kind, or one that
 /// varies.

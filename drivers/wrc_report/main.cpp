@@ -12,6 +12,7 @@
 #include "support/output_file.hpp"
 #include "support/program.hpp"
 #include "support/scene_file.hpp"
+#include "support/toml.hpp"
 #include "wrc_case/reports.hpp"
 #include "wrc_profile/reports.hpp"
 #include "wrc_report/pair.hpp"
@@ -285,7 +286,15 @@ void add_positions(HtmlPage& page, const PictureFolder& folder,
 }
 
 std::string report(const Options& options) {
+  for (const std::string& text : options.assignments) {
+    if (const std::string key = split_assignment(text).key;
+        key.ends_with(".wheel") || key.ends_with(".rail")) {
+      throw Failure("--set " + text + ": allowed are keys other than " + key +
+                    "; the arguments WHEEL and RAIL name the profiles");
+    }
+  }
   const Pair pair(options.wheel, options.rail, options.assignments);
+  refuse_varying(pair.scene(), "in a report");
   const std::vector<Position> positions = positions_of(pair, options.threads);
   const ConicityCurve conicity = conicity_of(pair);
   Scene centre = pair.scene();

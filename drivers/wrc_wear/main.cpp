@@ -184,15 +184,12 @@ void check(const Options& options) {
 void run(Options options) {
   check(options);
   const Mission mission = options.mission.empty() ? Mission() : read_mission(options.mission);
-  if (is_slices_file(options.rail)) {
-    throw Failure("--rail " + options.rail +
-                  ": a mission runs on a rail of one profile, not on slices");
-  }
   if (!options.rail.empty()) {
     options.assignments.push_back("track.rail=" + options.rail);
   }
   Scene plain;
   apply_assignments(plain, options.assignments); // refuses wrong ones before the table begins
+  refuse_varying(plain, "in a mission");
   const double radius = plain.get_number("wheelset.radius");
   const Profile wheel = load_profile(plain, WRC_WHEEL, options.wheel);
   for (const std::string& warning : wheel.warnings()) {

@@ -199,6 +199,10 @@ TEST_F(Jobs, AReportRefusesMistakes) {
   run(WRC_REPORT_PROGRAM, "S1002 rail.slcs")
       .expect_refusal({"rail.slcs: allowed here is a file of one profile, not one of slices along "
                        "the track"});
+  run(WRC_REPORT_PROGRAM, "S1002 60E1 --set track.left.rail=54E3")
+      .expect_refusal({"track.left.rail", "WHEEL and RAIL"});
+  run(WRC_REPORT_PROGRAM, "S1002 60E1 --set wheelset.harmonics=[1,5,0]")
+      .expect_refusal({"wheelset.harmonics = [1, 5, 0]", "in a report"});
   EXPECT_FALSE(exists("report.html"));
 }
 

@@ -42,7 +42,11 @@ TEST_F(WrcWear, RefusesMistakesBeforeItSolves) {
   run("--distance 1 --wheel flat.SLCW")
       .expect_refusal({"flat.SLCW: allowed here is a file of one profile, not one of slices around "
                        "the wheel"});
-  run("--distance 1 --rail rail.SLCS").expect_refusal({"rail.SLCS", "not on slices"});
+  run("--distance 1 --rail rail.SLCS").expect_refusal({".rail = rail.SLCS", "in a mission"});
+  run("--distance 1 --set track.left.rail=rail.slcs")
+      .expect_refusal({"track.left.rail = rail.slcs", "in a mission"});
+  run("--distance 1 --set wheelset.harmonics=[20,0.5,0]")
+      .expect_refusal({"wheelset.harmonics = [20, 0.5, 0]", "in a mission"});
 }
 
 /// Thrown on another thread, it ended the program by a signal.

@@ -66,5 +66,41 @@ TEST(Kinematics, BackwardsTheReferenceSpeedIsNegative) {
   EXPECT_NEAR(slip_at({.speed = -2e4}).reference_speed, -2e4, 10.0);
 }
 
+/// About the track's y, > 0 raises what is ahead.
+Vector3 tilted(const Vector3& vector, double angle) {
+  const double sine = std::sin(angle);
+  const double cosine = std::cos(angle);
+  return {cosine * vector.x - sine * vector.z, vector.y, sine * vector.x + cosine * vector.z};
+}
+
+TEST(Kinematics, ARisingRailIsALevelOneTurnedAboutTheTracksY) {
+  constexpr double rounding = 1e-12;
+  const double speed = 2e4;
+  for (const double angle : {0.05, 0.6, 1.2})
+    for (const double slope : {0.05, -0.19}) {
+      const ContactFrame level = tangent_frame({0.0, 730.0, 3.0}, angle);
+      const Vector3 normal = tilted(level.normal, slope);
+      const Vector3 centre = tilted({0.0, 0.0, radius}, slope);
+      Vector3 origin = tilted(level.origin, slope);
+      origin.x -= centre.x;
+      const ContactFrame rising = tangent_frame(origin, std::atan2(-normal.y, normal.z),
+                                                -normal.x / std::hypot(normal.y, normal.z));
+      EXPECT_LT(norm(rising.longitudinal - tilted(level.longitudinal, slope)), rounding);
+      EXPECT_LT(norm(rising.lateral - tilted(level.lateral, slope)), rounding);
+      EXPECT_LT(norm(rising.normal - normal), rounding);
+
+      WheelsetMotion motion{
+          {.speed = speed / std::cos(slope), .pitch = speed / radius}, {}, radius, radius, {}};
+      motion.follows_surface = true;
+      const RigidSlip on_level = rigid_slip(motion, level, 0.1);
+      motion.motion.speed = speed;
+      motion.height = centre.z;
+      const RigidSlip on_rising = rigid_slip(motion, rising, 0.1);
+      for (std::size_t i = 0; i < on_level.twist.size(); ++i)
+        EXPECT_NEAR(on_rising.twist[i], on_level.twist[i], rounding) << angle << ' ' << slope;
+      EXPECT_NEAR(on_rising.reference_speed, on_level.reference_speed, rounding * speed);
+    }
+}
+
 } // namespace
 } // namespace wrc::test::kinematics_test

@@ -70,6 +70,22 @@ TEST(SliceMatching, SlicesThatVaryGraduallyCorrespondAsAWhole) {
   EXPECT_TRUE(found.notes.empty());
 }
 
+/// Below, the lower slice reaches beyond the higher one at both ends.
+TEST(SliceMatching, SlicesOfARisingRailCorrespondAsAWhole) {
+  const auto head = [](double height) {
+    std::vector<Position> points;
+    for (int i = -144; i <= 144; ++i) { // 72 mm wide, 30 mm high
+      const double across = std::abs(i) <= 72 ? 0.5 * i : std::copysign(36.0, i);
+      const double below = std::abs(i) <= 72 ? 0.0 : 0.42 * (std::abs(i) - 72);
+      points.push_back({across, height - across * across / 600.0 - below});
+    }
+    return curve_through(points);
+  };
+  for (const double rise : {7.0, 10.0, 20.0})
+    for (const double sign : {1.0, -1.0})
+      EXPECT_TRUE(match_slices(head(0.0), head(sign * rise)).is_whole) << sign * rise;
+}
+
 /// Its left side lies nearer to the right side before, which runs the other way.
 TEST(SliceMatching, ABladeThatMovesByItsWidthStaysWhole) {
   const auto blade = [](double at) {

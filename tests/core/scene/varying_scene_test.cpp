@@ -36,11 +36,12 @@ protected:
   }
   ~VaryingScene() override { std::filesystem::remove_all(folder_); }
 
-  /// A list of a built-in profile, raised by a height at each place; places are moved.
+  /// A list of a built-in profile, raised by a height at each place; places are moved and heights
+  /// of the profile multiplied.
   [[nodiscard]] std::string list(const std::string& name, const std::string& profile,
                                  const std::vector<double>& places,
-                                 const std::function<double(double)>& height,
-                                 double moved = 0.0) const {
+                                 const std::function<double(double)>& height, double moved = 0.0,
+                                 double flattened = 1.0) const {
     const Curve curve = standard_profile(profile).curve;
     std::ofstream list(folder_ / name);
     list.precision(17);
@@ -53,7 +54,7 @@ protected:
       const int count = static_cast<int>(curve.length() / 0.5);
       for (int k = 0; k <= count; ++k) {
         const CurvePoint point = curve.at(curve.length() * k / count);
-        file << point.lateral << ' ' << point.height + height(places[i]) << '\n';
+        file << point.lateral << ' ' << flattened * point.height + height(places[i]) << '\n';
       }
     }
     return folder_ / name;
@@ -236,6 +237,46 @@ TEST_F(VaryingScene, EachRevolutionIsTheSame) {
   EXPECT_LT(norm(one.left->total->force - other.left->total->force), 1e-6 * scene.left.load);
   scene.pitch = 1.0; // off the flat
   EXPECT_GT(std::abs(solve_scene(scene).vertical - one.vertical), 0.05);
+}
+
+/// Slices 50 mm apart, of which the lower one reaches beyond the other; a contact near the flange,
+/// where tractions turn with the direction of rolling.
+TEST_F(VaryingScene, ARisingRailIsALevelOneOnATurnedTrack) {
+  const std::vector<double> places = places_every(-300.0, 300.0, 50.0);
+  for (const double slope : {0.1, 0.19}) {
+    const double cosine = 1.0 / std::hypot(1.0, slope);
+    const auto scene_of = [&](const std::string& rail) {
+      Scene scene = scene_on(rail);
+      scene.side = SideChoice::left;
+      scene.track.cant = 0.0;
+      scene.roll = 0.0;
+      scene.track.origin = 753.0;
+      scene.lateral = 6.0;
+      scene.yaw = scene.along = scene.pitch = 0.0;
+      scene.accuracy = 1e-3;
+      scene.curved = CurvedChoice::by_accuracy;
+      scene.motion = Motion{.speed = 20000.0, .pitch = 0.996 * 20000.0 / 460.0};
+      return scene;
+    };
+    const SceneResult rising = solve_scene(
+        scene_of(list("rising.slcs", "60E1", places, [slope](double x) { return slope * x; })));
+    Scene level = scene_of(list(
+        "level.slcs", "60E1", places, [](double) { return 0.0; }, 0.0, cosine));
+    level.motion->speed /= cosine;
+    level.left.load /= cosine;
+    const SceneResult flat = solve_scene(level);
+    const double load = level.left.load;
+    const auto turned = [&](const Vector3& force) {
+      return Vector3{cosine * (force.x - slope * force.z), force.y,
+                     cosine * (force.z + slope * force.x)};
+    };
+    EXPECT_GT(flat.left->patches.at(0).frame.angle(), 0.3);
+    EXPECT_NEAR(rising.left->pmax, flat.left->pmax, level.accuracy * flat.left->pmax) << slope;
+    EXPECT_LT(norm(rising.left->force - turned(flat.left->force)), 1e-4 * load) << slope;
+    EXPECT_LT(norm(rising.left->total->force - turned(flat.left->total->force)),
+              level.accuracy * load)
+        << slope;
+  }
 }
 
 /// p^2 bends within an element of the edge there, by which the elements' number alone does not go.
