@@ -278,14 +278,15 @@ bool SideSearch::try_scan(const Pose& pose) {
   return true;
 }
 
-void throw_off_the_rail(const Pose& pose) {
+void throw_off_the_rail(const Pose& pose, const char* hint) {
   throw Error(ErrorCode::no_contact,
               "wheel off the rail: no part of the wheel profile lies over the rail at "
               "pose.lateral = " +
                   text_of(pose.lateral) + " mm, roll " + short_text_of(pose.roll) +
                   " rad (as for a left wheel; opposite signs for a right one); "
                   "allowed are displacements and rolls at which the wheel lies over the rail; "
-                  "they depend on track.gauge and wheelset.back_to_back");
+                  "they depend on track.gauge and wheelset.back_to_back" +
+                  hint);
 }
 
 void SideSearch::scan(const Pose& pose) {
