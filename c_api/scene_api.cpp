@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <utility>
 
 #include "base/nearest_names.hpp"
@@ -47,11 +46,10 @@ std::string unknown_field(wrc::SceneObject& scene, const std::string& name) {
   if (wrc::number_value(*scene.result, name)) {
     return '"' + name + "\" is a number, not a field";
   }
-  const std::string last_word = name.substr(name.rfind('.') + 1);
-  const std::vector<std::string> fields = wrc::field_names();
-  return scene.error + (std::find(fields.begin(), fields.end(), last_word) != fields.end()
-                            ? std::string(known_but_absent) + "field"
-                            : "; nearest: " + wrc::nearest_names(last_word, fields));
+  return scene.error +
+         (wrc::names_field(name)
+              ? std::string(known_but_absent) + "field"
+              : "; nearest: " + wrc::nearest_names(name, wrc::possible_field_names()));
 }
 
 /// The text of an error about the name of a number or text.
@@ -70,12 +68,14 @@ std::string unknown_result(wrc::SceneObject& scene, const std::string& name) {
       }
       names.push_back(text);
     }
-    if (wrc::field_values(*scene.result, name)) {
-      return '"' + name + "\" is a field, not a number or a text";
-    }
   }
-  for (const std::string& field : wrc::field_names()) {
-    names.push_back("left.patches.0." + field); // Python reads all by one function
+  if (wrc::names_field(name)) {
+    return '"' + name + "\" names a field, not a number or a text";
+  }
+  for (const std::string& field : wrc::possible_field_names()) {
+    if (!wrc::number_id(field)) {
+      names.push_back(field); // Python reads all by one function
+    }
   }
   return scene.error + "; nearest: " + wrc::nearest_names(name, names);
 }

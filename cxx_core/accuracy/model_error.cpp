@@ -57,8 +57,8 @@ double curve_share(double turn, double accuracy, AccuracyOf accuracy_of,
 }
 
 double angle_of_reference(const ContactFrame& frame) {
-  const Vector3 across = frame.row_at(0.0).lateral;
-  return std::atan2(across.z, across.y);
+  const Vector3 normal = frame.row_at(0.0).normal;
+  return std::atan2(-normal.y, normal.z);
 }
 
 double interaction_error(const GridSolution& solution, double combined_modulus) {

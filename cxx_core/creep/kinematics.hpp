@@ -15,9 +15,10 @@
 ///   V_ref = (V (1 - kappa y_r) (e_1x + e_1z^2/e_1x) - pitch rate (e_axle x r) e_1)/2,
 ///
 /// e_1 the patch's longitudinal axis, which on a slope e is (cos(e), 0, sin(e)): the patch travels
-/// V/cos(e) along it, in plan V. On a rail that does not rise e_1 is the track's x, and
-/// creepages are v along the patch's axes and omega along its normal, over |V_ref|. Near standstill
-/// they are over (V_ref^2 + V_0^2)^(1/2) instead, so that they go to 0 with the velocities.
+/// V/cos(e) along it, in plan V. Where the plane does not rise along the track, e_1 is
+/// the track's x (by the vertical convention the wheelset's), and creepages are v along the patch's
+/// axes and omega along its normal, over |V_ref|. Near standstill they are over (V_ref^2 +
+/// V_0^2)^(1/2) instead, so that they go to 0 with the velocities.
 ///
 /// Where the rail or the wheel varies, a wheelset that does not move vertically would close or open
 /// the contact: on a slope e with the speed V sin(e). Unless v_z is given, the wheel is taken to

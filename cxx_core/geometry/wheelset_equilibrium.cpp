@@ -88,7 +88,10 @@ public:
       constant_->scan(pose);
     } else if (!varying_->try_scan(pose)) {
       refuse_gap(rail_);
-      throw_off_the_rail(pose, "; where slices rise or fall by more than 1:5 along, contact can be "
+      throw_off_the_rail(pose,
+                         rail_.varying() == nullptr
+                             ? ""
+                             : "; where slices rise or fall by more than 1:5 along, contact can be "
                                "missed (wrc_profile names the slices)");
     }
   }

@@ -3,8 +3,8 @@
 /// Two conventions:
 ///  - `tangent`: origin on the rail; longitudinal where the tangent plane meets a plane through the
 ///    track's x and z, which is x on a rail that does not rise; lateral across it, normal that of
-///    the plane. Right for contacts of any steepness. Material flows along x and z: a rail that
-///    rises evenly is so the same as a level one on a track turned about y, whatever the angle.
+///    the plane. Right for contacts of any steepness. The wheel's material turns in planes of x and
+///    z, so that a rail that rises evenly is a level one on a track turned about y.
 ///  - `vertical`: the wheelset frame's own x, y and z, as the paper measures (steps a to f of its
 ///    section 2.2). Right only for small contact angles; kept to reproduce the paper.
 /// Both frames are given in the track frame of the side, left-hand side (geometry/frames.hpp).

@@ -18,7 +18,7 @@ constexpr double least_excess = 0.05;
 /// A line this near to an end of a slice, over the length of the shorter slice, is the end's, and
 /// lengths this near to each other are equal.
 /// origin: reasoned: much less than least_excess, so that no line is near to both ends of a common
-/// stretch; 0.5 mm of a rail's 100 mm. A rise that is taken for ends makes lengths differ by twice
+/// stretch; 0.5 mm of a rail's 100 mm. A rise that is taken for ends makes lengths differ by
 /// least_excess or more.
 constexpr double same_line = 0.1 * least_excess;
 constexpr std::size_t most_joints = 10; // joints in a message; not a tuning constant
@@ -48,6 +48,12 @@ double nearest_to(const CurvePoint& point, const Curve& curve, double otherwise)
     begin = end;
   }
   return nearest;
+}
+
+/// Whether one of both slices has nothing beyond the other.
+bool is_within(const SliceMatch& match, double length, double next_length) {
+  return (match.begin == 0.0 && match.end == length) ||
+         (match.next_begin == 0.0 && match.next_end == next_length);
 }
 
 /// Two slices that follow each other without corresponding as a whole.
@@ -198,8 +204,9 @@ SliceMatch match_slices(const Curve& slice, const Curve& next) {
   }
   if (!(match.end - match.begin > least && match.next_end - match.next_begin > least))
     match.end = match.begin; // touching ends are nothing common
-  else if (std::abs(match.end - match.begin - (match.next_end - match.next_begin)) >
-           std::abs(length - next_length) + same_line * std::min(length, next_length))
+  else if (is_within(match, length, next_length) &&
+           std::abs(match.end - match.begin - (match.next_end - match.next_begin)) >
+               std::abs(length - next_length) + same_line * std::min(length, next_length))
     return {0.0, length, 0.0, next_length, true};
   return match;
 }

@@ -7,12 +7,15 @@
 /// ends with it. An end lies at the nearest place of the other slice where that runs the same way
 /// within 90 degrees, and counts as within it if more than 0.05 of the shorter slice is beyond. A
 /// common stretch that is shorter than that is none: there the surface is interrupted.
-/// Where a rail rises, its slices reach beyond each other too, below, but nothing begins or ends.
-/// The stretches that lie within each other then differ in length by more than the slices do, and
-/// the slices correspond as a whole. The ends of slices at such joints are then followed along the
-/// list, at their shares of the slices and through the joints, as far as they lie in common
-/// stretches, and become features. Units mm. Thread rule: no state. Not covered: parts that begin
-/// or end within slices whose ends go on as they are.
+/// The ends of slices at such joints are then followed along the list, at their shares of the
+/// slices and through the joints, as far as they lie in common stretches, and become features.
+///
+/// Where a rail rises, the lower slice reaches beyond the higher one too, but nothing ends. The
+/// stretch of it that lies within the higher one is then shorter than that slice, by more than the
+/// slices differ in length, and both correspond as a whole.
+///
+/// Units mm. Thread rule: no state. Not covered: parts that begin or end within slices whose ends
+/// go on as they are.
 #pragma once
 
 #include <optional>

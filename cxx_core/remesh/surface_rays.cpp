@@ -42,6 +42,10 @@ bool RailRay::on_graph() const {
 
 double RailRay::inclination(double lateral) const {
   const ContactFrame::Row row = frame_.row_at(lateral);
+  if (line_) { // the section across lies beside the plane of lateral and normal
+    const Vector3 gradient{-line_->graph().by_along, -line_->graph().by_lateral, 1.0};
+    return -dot(gradient, row.lateral) / dot(gradient, row.normal);
+  }
   const Vector3 along{0.0, point_.tangent_lateral, point_.tangent_height};
   return dot(along, row.normal) / dot(along, row.lateral);
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "creep/rolling_frame.hpp"
@@ -210,6 +211,18 @@ constexpr std::array outlines{
             }},
 };
 
+template <class Entry> std::string_view name_of(const Entry& entry) {
+  if constexpr (requires { entry.name; }) {
+    return entry.name;
+  } else {
+    return entry;
+  }
+}
+
+template <class List> bool has_name(const List& list, std::string_view name) {
+  return std::ranges::any_of(list, [name](const auto& entry) { return entry.name == name; });
+}
+
 } // namespace
 
 std::optional<std::vector<double>> field_values(SceneResult& result, std::string_view name,
@@ -266,16 +279,35 @@ std::optional<std::vector<double>> field_values(SceneResult& result, std::string
                   field->dimension);
 }
 
-std::vector<std::string> field_names() {
-  std::vector<std::string> names = damage_field_names();
-  const auto add = [&names](const auto& list) {
-    for (const auto& field : list) {
-      names.emplace_back(field.name);
+bool names_field(std::string_view name) {
+  constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+  if (!strip_prefix(name, "left.")) {
+    strip_prefix(name, "right.");
+  }
+  if (has_name(outlines, name)) {
+    return true;
+  }
+  std::size_t index = 0;
+  if (strip_prefix(name, "patches.") &&
+      (!strip_index(name, any, index) ||
+       (strip_prefix(name, "parts.") && !strip_index(name, any, index)))) {
+    return false;
+  }
+  return has_name(lobe_fields, name) || has_name(patch_fields, name) ||
+         damage_field(name) != nullptr;
+}
+
+std::vector<std::string> possible_field_names() {
+  std::vector<std::string> names;
+  const auto add = [&names](const char* prefix, const auto& list) {
+    for (const auto& entry : list) {
+      names.push_back(std::string(prefix).append(name_of(entry)));
     }
   };
-  add(outlines);
-  add(lobe_fields);
-  add(patch_fields);
+  add("left.", outlines);
+  add("left.patches.0.", lobe_fields);
+  add("left.patches.0.", patch_fields);
+  add("left.patches.0.", damage_field_names());
   return names;
 }
 

@@ -72,7 +72,9 @@ std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& 
 /// found when the first of their fields is requested.
 std::optional<std::vector<double>> field_values(SceneResult& result, std::string_view name,
                                                 const Convention& convention = {});
-/// The last word of all names that fields have.
-std::vector<std::string> field_names();
+/// Whether a solution may have a field of this name.
+bool names_field(std::string_view name);
+/// Those of the left wheel and of its first patch.
+std::vector<std::string> possible_field_names();
 
 } // namespace wrc

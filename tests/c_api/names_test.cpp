@@ -352,7 +352,9 @@ TEST(Names, ErrorsAboutFieldsSayWhatIsMeant) {
     return std::string(wrc_scene_error(scene.get()));
   };
   EXPECT_EQ(message("left.patches.0.presure"),
-            "no field is named \"left.patches.0.presure\"; nearest: pressure");
+            "no field is named \"left.patches.0.presure\"; nearest: left.patches.0.pressure");
+  EXPECT_EQ(message("left.whel_z"), "no field is named \"left.whel_z\"; nearest: left.wheel_z");
+  EXPECT_NE(message("lefft.pressure").find("; nearest: "), std::string::npos);
   EXPECT_EQ(
       message("left.patches.9.pressure"),
       "no field is named \"left.patches.9.pressure\": the name is known, but this solution has "
@@ -361,7 +363,10 @@ TEST(Names, ErrorsAboutFieldsSayWhatIsMeant) {
   double number = 0.0;
   EXPECT_EQ(wrc_scene_number(scene.get(), "left.pressure", &number), WRC_UNKNOWN_NAME);
   EXPECT_STREQ(wrc_scene_error(scene.get()),
-               "\"left.pressure\" is a field, not a number or a text");
+               "\"left.pressure\" names a field, not a number or a text");
+  EXPECT_EQ(wrc_scene_number(scene.get(), "left.patches.0.presure", &number), WRC_UNKNOWN_NAME);
+  EXPECT_STREQ(wrc_scene_error(scene.get()),
+               "no result is named \"left.patches.0.presure\"; nearest: left.patches.0.pressure");
 }
 
 } // namespace

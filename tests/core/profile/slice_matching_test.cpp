@@ -1,5 +1,6 @@
 /// Which stretches of neighbouring slices correspond, and the features that follow from it.
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,6 +62,23 @@ TEST(SliceMatching, BothMayReachBeyondEachOther) {
   EXPECT_EQ(match.next_begin, 0.0);
   EXPECT_EQ(match.end, cut(-40.0, 20.0).length());
   EXPECT_NEAR(match.next_end, arc_between(-20.0, 20.0), accuracy);
+}
+
+/// Equal in length as a whole, and unlike where both are: 2 mm deep, the groove adds 0.7 mm.
+TEST(SliceMatching, BothMayReachBeyondEachOtherWhereTheirShapesDiffer) {
+  const auto grooved = [](double from, double to, double depth) {
+    std::vector<Position> points;
+    for (double y = from; y <= to; y += 0.5) {
+      const double groove =
+          std::abs(y) < 8.0 ? std::pow(std::cos(y * std::numbers::pi / 16.0), 2) : 0.0;
+      points.push_back({y, std::sqrt(crown * crown - y * y) - crown - depth * groove});
+    }
+    return curve_through(points);
+  };
+  const SliceMatch match = match_slices(grooved(-45.0, 30.0, 0.0), grooved(-30.0, 44.5, 2.0));
+  EXPECT_FALSE(match.is_whole);
+  EXPECT_NEAR(match.begin, arc_between(-45.0, -30.0), 0.1);
+  EXPECT_EQ(match.next_begin, 0.0);
 }
 
 TEST(SliceMatching, SlicesThatVaryGraduallyCorrespondAsAWhole) {

@@ -1,9 +1,11 @@
 #include "remesh/surface_rays.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "geometry/varying_shapes.hpp"
 #include "support/simple_profiles.hpp"
 
 namespace wrc::test::surface_rays_test {
@@ -46,6 +48,25 @@ TEST_F(SurfaceRays, TheRailsInclinationIsToTheRowsOfTheFrame) {
       EXPECT_NEAR(ray.inclination(lateral), std::tan(of_circle), ray_tolerance) << angle;
     }
   }
+}
+
+/// Where the slope along is not that of the plane, the section across x is beside the plane of
+/// rays.
+TEST_F(SurfaceRays, InclinationsOfAWaveAreSlopesOfRayLengths) {
+  const RailSurface wave = rail_of(crown_along(places_every(-60.0, 60.0, 1.0), [](double x) {
+    return 0.5 * std::cos(2.0 * std::numbers::pi * x / 100.0);
+  }));
+  constexpr double step = 1e-3;
+  for (const double angle : {0.0, 0.08})
+    for (const double rise : {0.0, 0.1}) {
+      const double y = wave.origin_y() - crown_radius * std::sin(angle);
+      const ContactFrame frame = tangent_frame({0.0, y, 0.0}, angle, rise);
+      RailRay ray(wave, frame);
+      const double low = ray.solve(15.0, -step).value();
+      const double high = ray.solve(15.0, step).value();
+      ASSERT_TRUE(ray.solve(15.0, 0.0));
+      EXPECT_NEAR(ray.inclination(0.0), (high - low) / (2.0 * step), 1e-8) << angle << ' ' << rise;
+    }
 }
 
 TEST_F(SurfaceRays, MissBesideTheSurface) {

@@ -239,6 +239,26 @@ TEST_F(VaryingScene, EachRevolutionIsTheSame) {
   EXPECT_GT(std::abs(solve_scene(scene).vertical - one.vertical), 0.05);
 }
 
+/// The middle of its head is absent from the second of three slices: what is left has a side there.
+TEST_F(VaryingScene, TheSideOfAPartIsAState) {
+  const std::string path =
+      list("side.slcs", "60E1", {-300.0, 0.0, 300.0}, [](double) { return 0.0; });
+  std::ifstream file(path);
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  text.replace(text.find("0 0 0\n"), 1, "3");
+  std::ofstream(path) << text << "-300 0 66 999\n0 -1 66 999\n300 0 66 999\n";
+  Scene scene = scene_on(path);
+  scene.side = SideChoice::left;
+  scene.roll = 0.0;
+  scene.lateral = scene.yaw = scene.along = scene.pitch = 0.0;
+  SceneResult result = solve_scene(scene);
+  const auto& warnings = result.left->warnings;
+  EXPECT_TRUE(std::ranges::any_of(warnings, [](const Warning& warning) {
+    return warning.text.find("the side of a part") != std::string::npos;
+  }));
+  EXPECT_EQ(*number_value(result, "left.state"), 32.0);
+}
+
 /// Slices 50 mm apart, of which the lower one reaches beyond the other; a contact near the flange,
 /// where tractions turn with the direction of rolling.
 TEST_F(VaryingScene, ARisingRailIsALevelOneOnATurnedTrack) {
@@ -398,7 +418,7 @@ TEST_F(VaryingScene, RefusesWhatSlicesAndWavesCannotHave) {
   expect_error(ErrorCode::invalid_argument, solve, "solve.gap", "varies");
   scene = Scene();
   scene.left.wheel.name = wavy_rail();
-  expect_error(ErrorCode::invalid_argument, solve, "slices of a wheel");
+  expect_error(ErrorCode::invalid_argument, solve, "those of a wheel");
   scene = Scene();
   scene.left.wheel.name = scene.right.wheel.name = wheel_with_flat();
   scene.profile_shift = 1.0;
