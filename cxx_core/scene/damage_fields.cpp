@@ -95,6 +95,7 @@ const PatchField* damage_field(std::string_view name) {
 
 std::vector<std::string> damage_field_names() {
   std::vector<std::string> names;
+  names.reserve(fields.size());
   for (const PatchField& field : fields) {
     names.emplace_back(field.name);
   }
