@@ -51,7 +51,8 @@ Slip<Real> slip_of(const State<Real>& state, const WheelsetMotion& wheelset,
   }
   Slip<Real> slip;
   const Vector& ahead = patch.longitudinal;
-  const Real travelled = ahead.x + ahead.z * ahead.z / ahead.x; // for each mm along the track
+  const Real travelled =
+      ahead.x + ahead.z * ahead.z / ahead.x; // along it, for each mm of the track
   slip.reference_speed = 0.5 * (state.speed * (1.0 - curvature * patch.reference_y) * travelled -
                                 dot(cross(rolling, arm), ahead));
   const double slowest = wheelset.motion.standstill_speed;

@@ -9,16 +9,16 @@
 /// v_rail the velocity of the rail there, 0 unless it is given, omega_rail that of its roll, e_x'
 /// the track's x turned by the yaw, e_axle the axle pointing left, kappa the curvature of the
 /// track, positive in left-hand curves, and y the centre's lateral position. The reference is on
-/// the wheel's undeformed surface, one approach below the rail's, at y_r. With the mean of the
-/// speeds of travel and of rolling there (CONTACT, Vollebregt),
+/// the wheel's undeformed surface, one approach below the rail's, at y_r. Creepages are v along the
+/// patch's axes and omega along its normal, over |V_ref|, the mean of the speeds of travel and of
+/// rolling there (CONTACT, Vollebregt):
 ///
-///   V_ref = (V (1 - kappa y_r) (e_1x + e_1z^2/e_1x) - pitch rate (e_axle x r) e_1)/2,
+///   V_ref = (V (1 - kappa y_r) (e_1x + e_1z^2/e_1x) - pitch rate (e_axle x r) e_1)/2
 ///
-/// e_1 the patch's longitudinal axis, which on a slope e is (cos(e), 0, sin(e)): the patch travels
-/// V/cos(e) along it, in plan V. Where the plane does not rise along the track, e_1 is
-/// the track's x (by the vertical convention the wheelset's), and creepages are v along the patch's
-/// axes and omega along its normal, over |V_ref|. Near standstill they are over (V_ref^2 +
-/// V_0^2)^(1/2) instead, so that they go to 0 with the velocities.
+/// Here e_1 is the patch's longitudinal axis: the track's x, by the vertical convention that of the
+/// wheelset, and (cos(e), 0, sin(e)) where the plane rises along the track with a slope e, along
+/// which the patch travels V/cos(e). Near standstill creepages are over (V_ref^2 + V_0^2)^(1/2)
+/// instead, so that they go to 0 with the velocities.
 ///
 /// Where the rail or the wheel varies, a wheelset that does not move vertically would close or open
 /// the contact: on a slope e with the speed V sin(e). Unless v_z is given, the wheel is taken to

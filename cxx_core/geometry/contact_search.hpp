@@ -139,7 +139,8 @@ private:
 /// Throws Error(no_contact) if no part of the wheel is over the rail.
 ContactScan search_contacts(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose,
                             double near_tolerance, bool with_samples);
-/// Throws Error(no_contact) for a pose at which no part of the wheel is over the rail.
+/// Throws Error(no_contact) for a pose at which no part of the wheel is over the rail; `hint` ends
+/// its text.
 [[noreturn]] void throw_off_the_rail(const Pose& pose, const char* hint = "");
 /// The result of a search whose pose has been scanned.
 ContactScan contacts_of(const SideSearch& search, double near_tolerance, bool with_samples);

@@ -93,13 +93,8 @@ const PatchField* damage_field(std::string_view name) {
   return found != fields.end() ? &*found : nullptr;
 }
 
-std::vector<std::string> damage_field_names() {
-  std::vector<std::string> names;
-  names.reserve(fields.size());
-  for (const PatchField& field : fields) {
-    names.emplace_back(field.name);
-  }
-  return names;
+std::span<const PatchField> damage_fields() {
+  return fields;
 }
 
 } // namespace wrc

@@ -3,6 +3,7 @@
 /// Values in mm, N, MPa, y left, z up. Thread rule: constants; the functions are pure.
 #pragma once
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct PatchField {
 
 /// That of stresses or wear with this name, or none (damage_fields.cpp).
 const PatchField* damage_field(std::string_view name);
-/// All names of those.
-std::vector<std::string> damage_field_names();
+/// All of those.
+std::span<const PatchField> damage_fields();
 
 } // namespace wrc

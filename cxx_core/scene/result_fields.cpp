@@ -211,16 +211,42 @@ constexpr std::array outlines{
             }},
 };
 
-template <class Entry> std::string_view name_of(const Entry& entry) {
-  if constexpr (requires { entry.name; }) {
-    return entry.name;
-  } else {
-    return entry;
+/// The parts of a field's name: "left.patches.0.parts.1.pressure".
+struct FieldName {
+  bool is_right = false;
+  bool is_of_patch = false; ///< named with an index; else of the wheel or its first patch
+  std::size_t patch = 0;
+  std::optional<std::size_t> part;
+  std::string_view field;
+};
+
+/// None for a name without a side, or with an index that is none.
+std::optional<FieldName> parts_of(std::string_view name) {
+  constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+  FieldName parts;
+  parts.is_right = strip_prefix(name, "right.");
+  if (!parts.is_right && !strip_prefix(name, "left.")) {
+    return std::nullopt;
   }
+  parts.is_of_patch = strip_prefix(name, "patches.");
+  if (parts.is_of_patch &&
+      (!strip_index(name, any, parts.patch) ||
+       (strip_prefix(name, "parts.") && !strip_index(name, any, parts.part.emplace())))) {
+    return std::nullopt;
+  }
+  parts.field = name;
+  return parts;
 }
 
-template <class List> bool has_name(const List& list, std::string_view name) {
-  return std::ranges::any_of(list, [name](const auto& entry) { return entry.name == name; });
+template <class List> const auto* named(const List& list, std::string_view name) {
+  const auto found =
+      std::ranges::find_if(list, [name](const auto& entry) { return entry.name == name; });
+  return found != list.end() ? &*found : nullptr;
+}
+
+const PatchField* patch_field(std::string_view name) {
+  const PatchField* field = named(patch_fields, name);
+  return field != nullptr ? field : damage_field(name);
 }
 
 } // namespace
@@ -235,79 +261,55 @@ std::optional<std::vector<double>> field_values(SceneResult& result, std::string
     }
     return values;
   };
-  const bool left = strip_prefix(name, "left.");
-  auto& side = left || !strip_prefix(name, "right.") ? result.left : result.right;
-  if (!side || (!left && &side == &result.left)) {
+  const std::optional<FieldName> at = parts_of(name);
+  if (!at) {
     return std::nullopt;
   }
-  for (const Outline& outline : outlines) {
-    if (outline.name == name) {
-      return all_told(outline.compute(*side), turning_length);
-    }
+  auto& side = at->is_right ? result.right : result.left;
+  if (!side || (at->is_of_patch && at->patch >= side->patches.size()) ||
+      (at->part && *at->part >= side->patches[at->patch].parts.size())) {
+    return std::nullopt;
   }
-  std::size_t index = 0;
-  std::optional<std::size_t> part;
-  if (strip_prefix(name, "patches.")) {
-    if (!strip_index(name, side->patches.size(), index)) {
-      return std::nullopt;
-    }
-    if (strip_prefix(name, "parts.") &&
-        !strip_index(name, side->patches[index].parts.size(), part.emplace())) {
-      return std::nullopt;
-    }
+  if (const Outline* outline = named(outlines, at->field); outline && !at->is_of_patch) {
+    return all_told(outline->compute(*side), turning_length);
   }
-  for (const LobeField& field : lobe_fields) {
-    if (field.name == name) {
-      Values values;
-      if (!side->patches.empty()) {
-        std::ranges::transform(side->lobes(index, part), std::back_inserter(values), field.number);
-      }
-      return all_told(std::move(values), field.dimension);
+  if (const LobeField* field = named(lobe_fields, at->field)) {
+    Values values;
+    if (!side->patches.empty()) {
+      std::ranges::transform(side->lobes(at->patch, at->part), std::back_inserter(values),
+                             field->number);
     }
+    return all_told(std::move(values), field->dimension);
   }
-  const auto named = [name](const PatchField& field) { return field.name == name; };
-  const auto found = std::find_if(patch_fields.begin(), patch_fields.end(), named);
-  const PatchField* field = found != patch_fields.end() ? &*found : damage_field(name);
+  const PatchField* field = patch_field(at->field);
   if (field == nullptr) {
     return std::nullopt;
   }
   if (side->patches.empty()) {
     return Values{};
   }
-  const PatchResult& patch = side->patches[index];
-  return all_told(field->compute(side->details, part ? patch.parts[*part] : patch),
+  const PatchResult& patch = side->patches[at->patch];
+  return all_told(field->compute(side->details, at->part ? patch.parts[*at->part] : patch),
                   field->dimension);
 }
 
 bool names_field(std::string_view name) {
-  constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
-  if (!strip_prefix(name, "left.")) {
-    strip_prefix(name, "right.");
-  }
-  if (has_name(outlines, name)) {
-    return true;
-  }
-  std::size_t index = 0;
-  if (strip_prefix(name, "patches.") &&
-      (!strip_index(name, any, index) ||
-       (strip_prefix(name, "parts.") && !strip_index(name, any, index)))) {
-    return false;
-  }
-  return has_name(lobe_fields, name) || has_name(patch_fields, name) ||
-         damage_field(name) != nullptr;
+  const std::optional<FieldName> at = parts_of(name);
+  return at && ((named(outlines, at->field) && !at->is_of_patch) || named(lobe_fields, at->field) ||
+                patch_field(at->field));
 }
 
 std::vector<std::string> possible_field_names() {
   std::vector<std::string> names;
   const auto add = [&names](const char* prefix, const auto& list) {
     for (const auto& entry : list) {
-      names.push_back(std::string(prefix).append(name_of(entry)));
+      names.push_back(std::string(prefix).append(entry.name));
     }
   };
   add("left.", outlines);
   add("left.patches.0.", lobe_fields);
   add("left.patches.0.", patch_fields);
-  add("left.patches.0.", damage_field_names());
+  add("left.patches.0.", damage_fields());
   return names;
 }
 

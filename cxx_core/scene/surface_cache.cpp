@@ -114,10 +114,10 @@ void check_slices(const ProfileChoice& choice, ProfileKind kind, const std::stri
   if ((last == 's' || last == 'S') != (kind == ProfileKind::rail)) {
     throw_invalid_argument(key, choice.name,
                            kind == ProfileKind::rail
-                               ? "allowed of slices are those of a rail, .slcs"
-                               : "allowed of slices are those of a wheel, .slcw");
+                               ? "these are slices of a wheel; allowed are those of a rail, .slcs"
+                               : "these are slices of a rail; allowed are those of a wheel, .slcw");
   }
-  const std::string allowed = "not allowed with slices, which their file places";
+  const std::string allowed = "not allowed with slices, whose place their list gives";
   if (choice.origin != WheelOrigin::by_file) {
     throw_invalid_argument("wheelset.profile_origin",
                            choice.origin == WheelOrigin::tape ? "\"tape\"" : "\"flange-back\"",

@@ -71,9 +71,10 @@ toml::table parse_assignment(const std::string& assignment, const std::string& k
   try {
     return toml::parse(key + " = " + value);
   } catch (const toml::parse_error& error) {
-    const char* hint = value.starts_with('[') ? "; several texts are one with blanks between them, "
-                                                "or a list of texts in quotes"
-                                              : "";
+    const char* hint = value.starts_with('[')
+                           ? "; give several texts as one, with blanks between them, "
+                             "or as a list, each in quotes"
+                           : "";
     throw Failure("--set " + assignment + ": " + std::string(error.description()) + hint);
   }
 }

@@ -143,7 +143,9 @@ int run_surface(const CLI::App& app, const Arguments& arguments) {
   try {
     sheets = profile.load_surface(arguments.name, &options, arguments.smoothing_along);
   } catch (const wrcontact::Error& error) {
-    throw Failure(std::string(error.what()) + " (--slice N shows one slice alone)");
+    throw Failure(error.what() + std::string(error.status() == WRC_FILE_UNREADABLE
+                                                 ? ""
+                                                 : "; --slice N shows one slice alone"));
   }
   if (!arguments.plot.empty()) {
     draw_surface(profile, sheets, std::filesystem::path(arguments.name).filename().string(),

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/varying_shapes.hpp"
+
 namespace wrc::test::kinematics_test {
 namespace {
 
@@ -64,13 +66,6 @@ TEST(Kinematics, CreepagesGoToZeroAtStandstill) {
 
 TEST(Kinematics, BackwardsTheReferenceSpeedIsNegative) {
   EXPECT_NEAR(slip_at({.speed = -2e4}).reference_speed, -2e4, 10.0);
-}
-
-/// About the track's y, > 0 raises what is ahead.
-Vector3 tilted(const Vector3& vector, double angle) {
-  const double sine = std::sin(angle);
-  const double cosine = std::cos(angle);
-  return {cosine * vector.x - sine * vector.z, vector.y, sine * vector.x + cosine * vector.z};
 }
 
 TEST(Kinematics, ARisingRailIsALevelOneTurnedAboutTheTracksY) {

@@ -21,6 +21,13 @@ namespace wrc::test {
 constexpr double crown = 300.0; ///< radius, mm
 constexpr double half_width = 30.0;
 
+/// Turned about the y axis, > 0 raises what is ahead.
+inline Vector3 tilted(const Vector3& vector, double angle) {
+  const double sine = std::sin(angle);
+  const double cosine = std::cos(angle);
+  return {cosine * vector.x - sine * vector.z, vector.y, sine * vector.x + cosine * vector.z};
+}
+
 /// The curve (y + shift, height(y)) for |y| <= half_width of a function with two derivatives.
 struct Height {
   double value;

@@ -77,14 +77,20 @@ protected:
   /// A 60E1 that is absent between -half and half.
   [[nodiscard]] std::string rail_with_gap(const std::string& name, double half) const {
     const std::vector<double> places{-300.0, -half, 0.0, half, 300.0};
-    const std::string path = list(name, "60E1", places, [](double) { return 0.0; });
-    std::ifstream file(path);
-    std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    text.replace(text.find("0 0 0\n"), 1, "2");
     std::ostringstream features;
     for (const double place : places)
       features << place << (place == 0.0 ? " -1 -1\n" : " 0 999\n");
-    std::ofstream(path) << text << features.str();
+    return with_features(list(name, "60E1", places, [](double) { return 0.0; }), "2",
+                         features.str());
+  }
+
+  /// A list with lines of features at its end.
+  static std::string with_features(const std::string& path, const std::string& count,
+                                   const std::string& lines) {
+    std::ifstream file(path);
+    std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    text.replace(text.find("0 0 0\n"), 1, count);
+    std::ofstream(path) << text << lines;
     return path;
   }
 
@@ -239,15 +245,11 @@ TEST_F(VaryingScene, EachRevolutionIsTheSame) {
   EXPECT_GT(std::abs(solve_scene(scene).vertical - one.vertical), 0.05);
 }
 
-/// The middle of its head is absent from the second of three slices: what is left has a side there.
+/// The second of three slices lacks the line along the head: the parts beside it end there.
 TEST_F(VaryingScene, TheSideOfAPartIsAState) {
-  const std::string path =
-      list("side.slcs", "60E1", {-300.0, 0.0, 300.0}, [](double) { return 0.0; });
-  std::ifstream file(path);
-  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  text.replace(text.find("0 0 0\n"), 1, "3");
-  std::ofstream(path) << text << "-300 0 66 999\n0 -1 66 999\n300 0 66 999\n";
-  Scene scene = scene_on(path);
+  Scene scene = scene_on(
+      with_features(list("side.slcs", "60E1", {-300.0, 0.0, 300.0}, [](double) { return 0.0; }),
+                    "3", "-300 0 66 999\n0 -1 66 999\n300 0 66 999\n"));
   scene.side = SideChoice::left;
   scene.roll = 0.0;
   scene.lateral = scene.yaw = scene.along = scene.pitch = 0.0;
@@ -286,14 +288,11 @@ TEST_F(VaryingScene, ARisingRailIsALevelOneOnATurnedTrack) {
     level.left.load /= cosine;
     const SceneResult flat = solve_scene(level);
     const double load = level.left.load;
-    const auto turned = [&](const Vector3& force) {
-      return Vector3{cosine * (force.x - slope * force.z), force.y,
-                     cosine * (force.z + slope * force.x)};
-    };
+    const double angle = std::atan(slope);
     EXPECT_GT(flat.left->patches.at(0).frame.angle(), 0.3);
     EXPECT_NEAR(rising.left->pmax, flat.left->pmax, level.accuracy * flat.left->pmax) << slope;
-    EXPECT_LT(norm(rising.left->force - turned(flat.left->force)), 1e-4 * load) << slope;
-    EXPECT_LT(norm(rising.left->total->force - turned(flat.left->total->force)),
+    EXPECT_LT(norm(rising.left->force - tilted(flat.left->force, angle)), 1e-4 * load) << slope;
+    EXPECT_LT(norm(rising.left->total->force - tilted(flat.left->total->force, angle)),
               level.accuracy * load)
         << slope;
   }

@@ -29,13 +29,6 @@ RailSurface straight_crown() {
   return RailSurface(circular_rail(crown), level_track);
 }
 
-/// About the y axis, > 0 raises what is ahead.
-Vector3 tilted(const Vector3& vector, double angle) {
-  const double sine = std::sin(angle);
-  const double cosine = std::cos(angle);
-  return {cosine * vector.x - sine * vector.z, vector.y, sine * vector.x + cosine * vector.z};
-}
-
 struct TiltedPair {
   LeftBodies level;
   LeftBodies inclined;
