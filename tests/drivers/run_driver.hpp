@@ -14,6 +14,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "extent.hpp"
+
+using wrc::test::some_of;
+
 struct Outcome {
   int exit_code = -1;
   std::string out;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "extent.hpp"
 #include "mechanics/normal_solver.hpp"
 #include "remesh/rail_normals.hpp"
 #include "remesh/row_scales.hpp"
@@ -20,7 +21,7 @@ constexpr double limit = 2e-3;
 TEST(Energy, ForcesAreItsDerivativesAndTheirDerivativesAreSymmetric) {
   int asymmetric = 0;
   Draw draw;
-  for (int i = 0; i < 50; ++i) {
+  for (int i = 0; i < by_extent(50, 10); ++i) {
     const Scene scene = frictionless_wheel(draw, i);
     const EnergyErrors errors = energy_errors(scene);
     const auto trace = [&] {
