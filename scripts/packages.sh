@@ -15,6 +15,7 @@ check_packages=(
   octave octave-dev fonts-freefont-otf flang-19
   calculix-ccx
 )
+release_packages=(chromium)
 windows_packages=(g++-mingw-w64-x86-64-posix gfortran-mingw-w64-x86-64-posix)
 packaging_packages=(
   debhelper dh-python chrpath lintian git octave octave-dev patchelf
