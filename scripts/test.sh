@@ -73,7 +73,7 @@ run_tests() {
     grep -vE '^ *Start|Passed' "$folder/test.log" | tail -n 100
     exit 1
   }
-  tail -n 3 "$folder/test.log"
+  grep -E 'tests passed|^Total Test time' "$folder/test.log"
   skipped+=("$preset: $(scripts/skipped_tests.sh "$folder/Testing/Temporary/LastTest.log")")
 }
 
