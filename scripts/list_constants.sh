@@ -27,7 +27,7 @@ groups = {
 }
 others = {
     "cxx_core/models/elliptic_integrals.cpp",  # published coefficients
-    "cxx_core/profile/read_options.hpp",  # permitted ranges
+    "cxx_core/profile/limits.hpp",  # permitted ranges
     "cxx_core/scene/convention.hpp",  # units
     "cxx_core/scene/damage_fields.cpp",  # tables of names
     "cxx_core/scene/damage_tables.hpp",

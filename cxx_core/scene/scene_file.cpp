@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "profile/readers.hpp"
+#include "measured/readers.hpp"
 #include "profile/writers.hpp"
 #include "scene/scene_keys.hpp"
 

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "profile/readers.hpp"
+#include "measured/readers.hpp"
 #include "scene/scene_keys.hpp"
 
 namespace wrc::test::scene_file_test {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "creep/rolling_frame.hpp"
-#include "profile/readers.hpp"
+#include "measured/readers.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_keys.hpp"
 #include "scene/scene_result.hpp"
