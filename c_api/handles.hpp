@@ -14,6 +14,7 @@
 #include "half_space/fft.hpp"
 #include "half_space/material.hpp"
 #include "handle_table.hpp"
+#include "keys/scene.hpp"
 #include "measured/readers.hpp"
 #include "mechanics/normal_contact.hpp"
 #include "mechanics/normal_solver.hpp"
@@ -21,8 +22,8 @@
 #include "profile/profile.hpp"
 #include "rolling/rolling_contact.hpp"
 #include "scene/profile_surface.hpp"
-#include "scene/scene.hpp"
 #include "scene/solve_scene.hpp"
+#include "scene/vehicle_step.hpp"
 #include "table/contact_table.hpp"
 #include "wrcontact.h"
 

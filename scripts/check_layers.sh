@@ -41,13 +41,14 @@ room mechanics base half_space pressure
 room rolling base half_space pressure mechanics
 room models base geometry patches
 room accuracy base patches remesh mechanics pressure
-room records base geometry damage remesh mechanics rolling accuracy
+room records base half_space damage geometry patches remesh mechanics rolling accuracy
 room creep base half_space pressure damage geometry patches remesh mechanics rolling accuracy records
 room wheel base half_space pressure damage geometry patches remesh mechanics models accuracy records
 room derivatives base half_space pressure geometry patches remesh mechanics records creep
-room scene base profile measured half_space pressure damage geometry patches mechanics rolling accuracy records creep wheel derivatives
-room table base profile half_space geometry patches rolling records scene derivatives wheel
-check c_api 'base/|profile/|measured/|half_space/|pressure/|mechanics/|rolling/|scene/|table/|(batch|handles|handle_table|grid_contact|floating_point)\.hpp|wrcontact(_grid|_table)?\.h'
+room keys base profile measured half_space geometry mechanics rolling records
+room scene base profile measured half_space pressure damage geometry patches mechanics rolling accuracy records creep wheel derivatives keys
+room table base profile half_space geometry patches rolling records keys scene derivatives wheel
+check c_api 'base/|profile/|measured/|half_space/|pressure/|mechanics/|rolling/|keys/|scene/|table/|(batch|handles|handle_table|grid_contact|floating_point)\.hpp|wrcontact(_grid|_table)?\.h'
 check octave_bindings 'wrc_mex\.h'
 # Evidence about the core sees the core, and draws its cases as the tests of the core do.
 check drivers/evidence/core 'arguments\.hpp|base/|profile/|measured/|damage/|mechanics/|rolling/|records/|creep/|derivatives/|scene/|wheel/|core/|support/(conformal_disc|energy_pairs|no_slip_samples|patch_problem|random_wheels|state_differences)\.hpp'

@@ -4,8 +4,8 @@
 #include <iterator>
 
 #include "base/error.hpp"
-#include "scene/key_makers.hpp"
-#include "scene/scene_key_table.hpp"
+#include "keys/key_makers.hpp"
+#include "keys/scene_key_table.hpp"
 
 namespace wrc {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/scene_keys.hpp"
+#include "keys/scene_keys.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest_names.hpp"
-#include "scene/scene_key_table.hpp"
+#include "keys/scene_key_table.hpp"
 
 namespace wrc {
 namespace {

@@ -8,8 +8,8 @@
 #include <span>
 #include <string_view>
 
-#include "scene/scene.hpp"
-#include "scene/scene_key.hpp"
+#include "keys/scene.hpp"
+#include "keys/scene_key.hpp"
 
 namespace wrc {
 

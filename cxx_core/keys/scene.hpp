@@ -1,6 +1,6 @@
 /// A scene: everything that is requested, with the defaults of the paper's Table 1.
 ///
-/// Values are reached by the keys of a scene file (scene/scene_keys.hpp), which also hold their
+/// Values are reached by the keys of a scene file (keys/scene_keys.hpp), which also hold their
 /// permitted ranges. Units mm, N, MPa, rad; track frame of geometry/frames.hpp.
 /// Thread rule: a plain value.
 #pragma once
@@ -12,18 +12,24 @@
 #include <string_view>
 #include <vector>
 
-#include "creep/creep_request.hpp"
 #include "geometry/rail_surface.hpp"
 #include "geometry/wheel_surface.hpp"
+#include "half_space/fft.hpp"
 #include "half_space/material.hpp"
+#include "keys/convention.hpp"
 #include "measured/read_options.hpp"
-#include "mechanics/normal_solver.hpp"
+#include "mechanics/normal_contact.hpp"
 #include "profile/profile.hpp"
+#include "records/creep_choice.hpp"
 #include "records/damage_result.hpp"
-#include "scene/convention.hpp"
-#include "wheel/wheel_request.hpp"
+#include "records/friction_law.hpp"
+#include "records/motion.hpp"
+#include "records/wheel_request.hpp"
+#include "rolling/rolling_problem.hpp"
 
 namespace wrc {
+
+struct ContactHistory; // creep/elastic_history.hpp
 
 enum class SideChoice { both, left, right };
 enum class ModelRequest { automatic, half_space, hertz, kik_piotrowski };
@@ -67,7 +73,7 @@ struct SceneSide {
   std::optional<Creepages> creepages;
 };
 
-/// Keys by their ids, the indices in scene_keys (scene/scene_keys.hpp).
+/// Keys by their ids, the indices in scene_keys (keys/scene_keys.hpp).
 using KeySet = std::bitset<256>;
 
 struct Scene : WheelOptions {
@@ -122,7 +128,7 @@ struct Scene : WheelOptions {
   int threads = 1;
 
   /// Keys that were set, other than to their default; which of them have no effect beside others is
-  /// in scene/unused_keys.hpp.
+  /// in keys/unused_keys.hpp.
   KeySet given;
 
   Scene();

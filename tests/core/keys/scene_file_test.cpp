@@ -1,4 +1,4 @@
-#include "scene/scene_file.hpp"
+#include "keys/scene_file.hpp"
 
 #include <fstream>
 #include <sstream>
@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "keys/scene_keys.hpp"
 #include "measured/readers.hpp"
-#include "scene/scene_keys.hpp"
 
 namespace wrc::test::scene_file_test {
 namespace {

@@ -1,5 +1,5 @@
 // Makers of keys: what is read and set, and what is not permitted.
-#include "scene/key_makers.hpp"
+#include "keys/key_makers.hpp"
 
 #include <array>
 #include <cmath>

@@ -15,7 +15,7 @@
 #include <cstdint>
 
 #include "base/warning.hpp"
-#include "scene/scene.hpp"
+#include "keys/scene.hpp"
 
 namespace wrc {
 

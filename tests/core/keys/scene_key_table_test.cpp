@@ -1,12 +1,12 @@
 // The table of keys: each can be read, and set to what was read.
-#include "scene/scene_key_table.hpp"
+#include "keys/scene_key_table.hpp"
 
 #include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
 
-#include "scene/scene_key.hpp"
+#include "keys/scene_key.hpp"
 
 namespace wrc::test::scene_key_table_test {
 namespace {

@@ -1,9 +1,9 @@
-#include "scene/scene_key_table.hpp"
+#include "keys/scene_key_table.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "scene/key_makers.hpp"
+#include "keys/key_makers.hpp"
 
 namespace wrc {
 namespace {

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <string>
 
-#include "scene/scene.hpp"
+#include "keys/scene.hpp"
 
 namespace wrc {
 

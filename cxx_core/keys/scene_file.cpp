@@ -1,13 +1,13 @@
-#include "scene/scene_file.hpp"
+#include "keys/scene_file.hpp"
 
 #include <algorithm>
 #include <cstdint>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "keys/scene_keys.hpp"
 #include "measured/readers.hpp"
 #include "profile/writers.hpp"
-#include "scene/scene_keys.hpp"
 
 namespace wrc {
 namespace {

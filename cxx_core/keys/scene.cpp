@@ -1,9 +1,8 @@
-#include "scene/scene.hpp"
+#include "keys/scene.hpp"
 
 #include <cmath>
 
-#include <algorithm>
-#include <cctype>
+#include "base/lower_case.hpp"
 
 namespace wrc {
 
@@ -12,11 +11,8 @@ Scene::Scene() {
 }
 
 bool is_sliced(const ProfileChoice& choice) {
-  std::string ending =
-      choice.name.substr(choice.name.size() - std::min<std::size_t>(5, choice.name.size()));
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return !choice.given && (ending == ".slcs" || ending == ".slcw");
+  const std::string name = lower_case(choice.name);
+  return !choice.given && (name.ends_with(".slcs") || name.ends_with(".slcw"));
 }
 
 bool rails_vary(const Scene& scene) {

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "keys/scene.hpp"
 
 namespace wrc {
 

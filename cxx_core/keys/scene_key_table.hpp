@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "scene/scene_key.hpp"
+#include "keys/scene_key.hpp"
 
 namespace wrc {
 

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/scene_key.hpp"
+#include "keys/scene_key.hpp"
 
 namespace wrc::key_makers {
 

@@ -1,4 +1,4 @@
-#include "scene/scene_keys.hpp"
+#include "keys/scene_keys.hpp"
 
 #include <cmath>
 #include <limits>

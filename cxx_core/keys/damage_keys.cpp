@@ -1,6 +1,6 @@
 // Keys of stresses, wear and fatigue.
-#include "scene/key_makers.hpp"
-#include "scene/scene_key_table.hpp"
+#include "keys/key_makers.hpp"
+#include "keys/scene_key_table.hpp"
 
 namespace wrc {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/unused_keys.hpp"
+#include "keys/unused_keys.hpp"
 
 #include <algorithm>
 #include <initializer_list>
@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/scene_keys.hpp"
+#include "keys/scene_keys.hpp"
 
 namespace wrc {
 namespace {

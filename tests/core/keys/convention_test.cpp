@@ -1,4 +1,4 @@
-#include "scene/convention.hpp"
+#include "keys/convention.hpp"
 
 #include <cmath>
 

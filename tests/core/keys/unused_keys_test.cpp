@@ -1,5 +1,5 @@
 /// Keys that were set and have no effect beside others are warned of, in whatever order.
-#include "scene/unused_keys.hpp"
+#include "keys/unused_keys.hpp"
 
 #include <algorithm>
 #include <string>
@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/scene_file.hpp"
-#include "scene/scene_keys.hpp"
+#include "keys/scene_file.hpp"
+#include "keys/scene_keys.hpp"
 #include "scene/solve_scene.hpp"
 #include "scene/vehicle_step.hpp"
 
