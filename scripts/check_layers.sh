@@ -42,16 +42,17 @@ room rolling base half_space pressure mechanics
 room models base geometry patches
 room accuracy base patches remesh mechanics pressure
 room records base half_space damage geometry patches remesh mechanics rolling accuracy
+room results base half_space pressure damage geometry patches remesh mechanics models accuracy records
 room creep base half_space pressure damage geometry patches remesh mechanics rolling accuracy records
 room wheel base half_space pressure damage geometry patches remesh mechanics models accuracy records
 room derivatives base half_space pressure geometry patches remesh mechanics records creep
 room keys base profile measured half_space geometry mechanics rolling records
-room scene base profile measured half_space pressure damage geometry patches mechanics rolling accuracy records creep wheel derivatives keys
-room table base profile half_space geometry patches rolling records keys scene derivatives wheel
+room scene base profile measured half_space pressure damage geometry patches mechanics rolling accuracy records results creep wheel derivatives keys
+room table base profile half_space geometry patches rolling records results keys scene derivatives wheel
 check c_api 'base/|profile/|measured/|half_space/|pressure/|mechanics/|rolling/|keys/|scene/|table/|(batch|handles|handle_table|grid_contact|floating_point)\.hpp|wrcontact(_grid|_table)?\.h'
 check octave_bindings 'wrc_mex\.h'
 # Evidence about the core sees the core, and draws its cases as the tests of the core do.
-check drivers/evidence/core 'arguments\.hpp|base/|profile/|measured/|damage/|mechanics/|rolling/|records/|creep/|derivatives/|scene/|wheel/|core/|support/(conformal_disc|energy_pairs|no_slip_samples|patch_problem|random_wheels|state_differences)\.hpp'
+check drivers/evidence/core 'arguments\.hpp|base/|profile/|measured/|damage/|mechanics/|rolling/|records/|results/|creep/|derivatives/|scene/|wheel/|core/|support/(conformal_disc|energy_pairs|no_slip_samples|patch_problem|random_wheels|state_differences)\.hpp'
 check drivers/evidence/multigrid 'arguments\.hpp|base/|profile/|half_space/|geometry/|remesh/|mechanics/|multigrid/'
 check 'drivers :!drivers/evidence/core :!drivers/evidence/multigrid' 'arguments\.hpp|support/|wrc_[a-z]+/|benchmark_commit\.hpp|wrcontact\.h'
 check tests/c_api 'call_arguments\.hpp|call_sequences\.hpp|all_results\.hpp|old_functions\.hpp|owned_handles\.hpp|failing_allocator\.hpp|host_transform\.hpp|wrcontact\.h'

@@ -91,7 +91,7 @@ struct Scene : WheelOptions {
 
   Material wheel_material{210000.0, 0.3};
   Material rail_material{210000.0, 0.3};
-  std::optional<double> yield_pressure; ///< of a state only (wheel/wheel_state.hpp), MPa
+  std::optional<double> yield_pressure; ///< of a state only (results/wheel_state.hpp), MPa
   DamageRequest damage;                 ///< except its Poisson's ratio, which is that of the body
 
   double lateral = 0.0;

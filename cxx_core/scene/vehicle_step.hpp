@@ -52,7 +52,7 @@ struct WheelForces {
   /// By lateral, vertical and roll displacement of the wheel's own rail, and by their rates.
   std::array<SixNumbers, 3> by_rail{};
   std::array<SixNumbers, 3> by_rail_velocity{};
-  int state = 0; ///< flags of wheel/wheel_state.hpp
+  int state = 0; ///< flags of results/wheel_state.hpp
 };
 
 /// Creep forces of a patch at creepages of the caller's own.

@@ -1,4 +1,4 @@
-#include "wheel/combined_contact.hpp"
+#include "results/combined_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "half_space/displacement_operator.hpp"
 #include "remesh/row_scales.hpp"
 #include "remesh/undeformed_distance.hpp"
-#include "wheel/constants.hpp"
+#include "results/constants.hpp"
 
 namespace wrc {
 namespace {

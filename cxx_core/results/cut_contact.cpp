@@ -1,4 +1,4 @@
-#include "wheel/cut_contact.hpp"
+#include "results/cut_contact.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,9 +1,9 @@
-#include "wheel/wheel_state.hpp"
+#include "results/wheel_state.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "wheel/constants.hpp"
+#include "results/constants.hpp"
 
 namespace wrc {
 namespace {
@@ -50,6 +50,22 @@ std::optional<int> wheel_state(const WheelResult& wheel, std::optional<double> y
     state |= is_on_chamfer(nodes, patch.reference.s_wheel) ? on_chamfer : 0;
   }
   return state | (yield_pressure && wheel.pmax > *yield_pressure ? beyond_yield : 0);
+}
+
+void warn_of_pressure(WheelResult& wheel) {
+  if (!(wheel.pmax > hardest_steel) || wheel.details.combined_modulus > stiffest_steel) {
+    return;
+  }
+  const auto pressed = std::max_element(
+      wheel.patches.begin(), wheel.patches.end(),
+      [](const PatchResult& one, const PatchResult& other) { return one.pmax < other.pmax; });
+  const auto index = static_cast<std::size_t>(pressed - wheel.patches.begin());
+  wheel.warnings.push_back({WarningClass::pressure,
+                            of_patch(wheel, index) + "the largest pressure, " +
+                                text_of(std::round(wheel.pmax)) +
+                                " MPa, is more than steel can carry: the hardest rails flow at " +
+                                text_of(std::round(hardest_steel)) +
+                                " MPa, so real pressures are lower and the contact is larger"});
 }
 
 } // namespace wrc

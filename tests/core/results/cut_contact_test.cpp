@@ -1,5 +1,5 @@
 /// Contacts that the end of a rail cuts off.
-#include "wheel/cut_contact.hpp"
+#include "results/cut_contact.hpp"
 
 #include <algorithm>
 #include <cstddef>

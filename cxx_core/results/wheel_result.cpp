@@ -1,4 +1,4 @@
-#include "wheel/wheel_result.hpp"
+#include "results/wheel_result.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include "geometry/first_touch.hpp"
 #include "geometry/side_frame.hpp"
 #include "models/hertz.hpp"
-#include "wheel/combined_contact.hpp"
-#include "wheel/cut_contact.hpp"
+#include "results/combined_contact.hpp"
+#include "results/cut_contact.hpp"
 
 namespace wrc {
 namespace {

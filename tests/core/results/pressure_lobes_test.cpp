@@ -1,4 +1,4 @@
-#include "wheel/pressure_lobes.hpp"
+#include "results/pressure_lobes.hpp"
 
 #include <algorithm>
 #include <cmath>

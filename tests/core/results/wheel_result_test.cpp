@@ -1,6 +1,6 @@
 // The result of a wheel: its patches as they were solved, and residuals by convolutions of their
 // own.
-#include "wheel/wheel_result.hpp"
+#include "results/wheel_result.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "wheel/contact_damage.hpp"
+#include "results/contact_damage.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include "mechanics/cascade.hpp"
 #include "records/wheel_result.hpp"
 #include "remesh/undeformed_distance.hpp"
-#include "wheel/constants.hpp"
+#include "results/constants.hpp"
 
 namespace wrc {
 namespace {

@@ -1,4 +1,4 @@
-#include "wheel/pressure_lobes.hpp"
+#include "results/pressure_lobes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "geometry/side_frame.hpp"
 #include "pressure/lobe_shares.hpp"
 #include "remesh/rail_normals.hpp"
-#include "wheel/wheel_result.hpp"
+#include "results/wheel_result.hpp"
 
 namespace wrc {
 namespace {

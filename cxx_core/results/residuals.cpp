@@ -1,4 +1,4 @@
-#include "wheel/residuals.hpp"
+#include "results/residuals.hpp"
 
 #include <algorithm>
 #include <cmath>

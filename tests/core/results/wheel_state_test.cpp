@@ -1,8 +1,9 @@
-/// States of a wheel in scenes that have them.
-#include "wheel/wheel_state.hpp"
+/// States of a wheel in scenes that have them, and the warning of pressures beyond steel.
+#include "results/wheel_state.hpp"
 
 #include <gtest/gtest.h>
 
+#include "results/constants.hpp"
 #include "scene/solve_scene.hpp"
 
 namespace wrc::test::wheel_state_test {
@@ -54,6 +55,32 @@ TEST(WheelStates, LiftedMeansNoContactAndGeometryAloneHasNoState) {
   EXPECT_EQ(*solve_scene(scene).left->state, lifted);
   scene.until = Module::geometry;
   EXPECT_FALSE(solve_scene(scene).left->state.has_value());
+}
+
+TEST(WheelWarnings, SeveralPatchesAreNumbered) {
+  WheelResult wheel;
+  wheel.patches.resize(1);
+  EXPECT_EQ(of_patch(wheel, 0), "");
+  wheel.patches.resize(2);
+  EXPECT_EQ(of_patch(wheel, 1), "patch 1: ");
+}
+
+TEST(WheelWarnings, PressuresBeyondSteelAreReportedWithTheirPatch) {
+  WheelResult wheel;
+  wheel.details.combined_modulus = 115e3;
+  wheel.patches.resize(2);
+  wheel.patches[1].pmax = wheel.pmax = 0.999 * hardest_steel;
+  warn_of_pressure(wheel);
+  EXPECT_TRUE(wheel.warnings.empty());
+  wheel.patches[1].pmax = wheel.pmax = 1.001 * hardest_steel;
+  warn_of_pressure(wheel);
+  ASSERT_EQ(wheel.warnings.size(), 1U);
+  EXPECT_EQ(wheel.warnings.front().kind, WarningClass::pressure);
+  EXPECT_TRUE(wheel.warnings.front().text.starts_with("patch 1: "));
+  wheel.warnings.clear();
+  wheel.details.combined_modulus = 1.001 * stiffest_steel;
+  warn_of_pressure(wheel);
+  EXPECT_TRUE(wheel.warnings.empty()) << "stiffer than steel";
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // Damage of a wheel from its patches: power by forces and creepages, fatigue, and the worst of
 // several.
-#include "wheel/contact_damage.hpp"
+#include "results/contact_damage.hpp"
 
 #include <algorithm>
 #include <cmath>

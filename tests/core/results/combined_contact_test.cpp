@@ -1,4 +1,4 @@
-#include "wheel/combined_contact.hpp"
+#include "results/combined_contact.hpp"
 
 #include <cmath>
 #include <memory>

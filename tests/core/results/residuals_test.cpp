@@ -1,5 +1,5 @@
 /// Residuals of a wheel, of pressures as they were solved and of wrong ones.
-#include "wheel/residuals.hpp"
+#include "results/residuals.hpp"
 
 #include <gtest/gtest.h>
 
