@@ -4,8 +4,8 @@
 #include <exception>
 
 #include "base/fork.hpp"
-#include "scene/scene_keys.hpp"
-#include "scene/unused_keys.hpp"
+#include "keys/scene_keys.hpp"
+#include "keys/unused_keys.hpp"
 
 namespace wrc {
 

@@ -3,7 +3,8 @@
 #include <cstring>
 
 #include "handles.hpp"
-#include "profile/readers.hpp"
+#include "measured/readers.hpp"
+#include "profile/limits.hpp"
 #include "profile/writers.hpp"
 
 namespace {

@@ -2,9 +2,9 @@
 
 #include "base/nearest_names.hpp"
 #include "handles.hpp"
+#include "keys/scene_file.hpp"
+#include "keys/scene_keys.hpp"
 #include "scene/number_ids.hpp"
-#include "scene/scene_file.hpp"
-#include "scene/scene_keys.hpp"
 
 wrc_status wrc::SceneObject::take_result(wrc::SceneResult&& new_result) {
   bool converged = true;

@@ -30,6 +30,7 @@ room() {
 }
 room base
 room profile base
+room measured base profile
 room half_space base
 room pressure base
 room damage base half_space
@@ -40,23 +41,25 @@ room mechanics base half_space pressure
 room rolling base half_space pressure mechanics
 room models base geometry patches
 room accuracy base patches remesh mechanics pressure
-room records base geometry damage remesh mechanics rolling accuracy
+room records base half_space damage geometry patches remesh mechanics rolling accuracy
+room results base half_space pressure damage geometry patches remesh mechanics models accuracy records
 room creep base half_space pressure damage geometry patches remesh mechanics rolling accuracy records
 room wheel base half_space pressure damage geometry patches remesh mechanics models accuracy records
 room derivatives base half_space pressure geometry patches remesh mechanics records creep
-room scene base profile half_space pressure damage geometry patches mechanics rolling accuracy records creep wheel derivatives
-room table base profile half_space geometry patches rolling records scene derivatives wheel
-check c_api 'base/|profile/|half_space/|pressure/|mechanics/|rolling/|scene/|table/|(batch|handles|handle_table|grid_contact|floating_point)\.hpp|wrcontact(_grid|_table)?\.h'
+room keys base profile measured half_space geometry mechanics rolling records
+room scene base profile measured half_space pressure damage geometry patches mechanics rolling accuracy records results creep wheel derivatives keys
+room table base profile half_space geometry patches rolling records results keys scene derivatives wheel
+check c_api 'base/|profile/|measured/|half_space/|pressure/|mechanics/|rolling/|keys/|scene/|table/|(batch|handles|handle_table|grid_contact|floating_point)\.hpp|wrcontact(_grid|_table)?\.h'
 check octave_bindings 'wrc_mex\.h'
 # Evidence about the core sees the core, and draws its cases as the tests of the core do.
-check drivers/evidence/core 'arguments\.hpp|base/|profile/|damage/|mechanics/|rolling/|records/|creep/|derivatives/|scene/|wheel/|core/|support/(conformal_disc|energy_pairs|no_slip_samples|patch_problem|random_wheels|state_differences)\.hpp'
+check drivers/evidence/core 'arguments\.hpp|base/|profile/|measured/|damage/|mechanics/|rolling/|records/|results/|creep/|derivatives/|scene/|wheel/|core/|support/(conformal_disc|energy_pairs|no_slip_samples|patch_problem|random_wheels|state_differences)\.hpp'
 check drivers/evidence/multigrid 'arguments\.hpp|base/|profile/|half_space/|geometry/|remesh/|mechanics/|multigrid/'
 check 'drivers :!drivers/evidence/core :!drivers/evidence/multigrid' 'arguments\.hpp|support/|wrc_[a-z]+/|benchmark_commit\.hpp|wrcontact\.h'
-check tests/c_api 'call_arguments\.hpp|call_sequences\.hpp|all_results\.hpp|old_functions\.hpp|owned_handles\.hpp|failing_allocator\.hpp|host_transform\.hpp|wrcontact\.h'
-check tests/fuzz 'base/error\.hpp|profile/(readers|slices)\.hpp|call_sequences\.hpp|support/|wrcontact\.h'
+check tests/c_api 'extent\.hpp|call_arguments\.hpp|call_sequences\.hpp|all_results\.hpp|old_functions\.hpp|owned_handles\.hpp|failing_allocator\.hpp|host_transform\.hpp|wrcontact\.h'
+check tests/fuzz 'base/error\.hpp|measured/(readers|slices)\.hpp|call_sequences\.hpp|support/|wrcontact\.h'
 check tests/properties '(draw|drawn_scene|outcome|rolling_scene|varying_scene|scene_properties|smoothness|steps)\.hpp|support/(parallel|random_scenes)\.hpp|wrcontact\.h'
 check tests/instruction_sets 'wrcontact\.h'
-check tests/drivers 'run_driver\.hpp|wrc_sweep/conicity\.hpp|support/(csv_table|gnuplot|html)\.hpp'
+check tests/drivers 'extent\.hpp|run_driver\.hpp|wrc_sweep/conicity\.hpp|support/(csv_table|gnuplot|html)\.hpp'
 
 # No circles between files. A header and the source of its name count as one; the two public headers,
 # which include each other for old callers, are left out.

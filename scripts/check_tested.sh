@@ -9,12 +9,13 @@ declarations=(
   base/by_motion.hpp       # four members
   base/stopwatch.hpp       # no test is timed
   base/vector_clones.hpp   # macros
-  records/friction_law.hpp # plain values, as all of this room
+  records/creep_choice.hpp # plain values, as all of this room
+  records/friction_law.hpp
+  records/module.hpp
   records/motion.hpp
   records/rates.hpp
   records/slip_geometry.hpp
   records/wheel_solution.hpp
-  wheel/module.hpp         # an enumeration
 )
 failures=0
 included=$(git ls-files -co --exclude-standard 'tests/core/*.cpp' 'tests/core/*.hpp' |

@@ -27,19 +27,19 @@ groups = {
 }
 others = {
     "cxx_core/models/elliptic_integrals.cpp",  # published coefficients
-    "cxx_core/profile/read_options.hpp",  # permitted ranges
-    "cxx_core/scene/convention.hpp",  # units
+    "cxx_core/profile/limits.hpp",  # permitted ranges
+    "cxx_core/keys/convention.hpp",  # units
     "cxx_core/scene/damage_fields.cpp",  # tables of names
     "cxx_core/scene/damage_tables.hpp",
-    "cxx_core/scene/load_keys.cpp",  # permitted ranges
+    "cxx_core/keys/load_keys.cpp",  # permitted ranges
     "cxx_core/scene/number_tables.hpp",
     "cxx_core/scene/old_names.hpp",
     "cxx_core/scene/patch_summary.cpp",
     "cxx_core/scene/patch_summary.hpp",
     "cxx_core/scene/rate_tables.hpp",
     "cxx_core/scene/result_fields.cpp",
-    "cxx_core/scene/scene_key_table.cpp",  # permitted ranges
-    "cxx_core/scene/profile_keys.cpp",  # likewise
+    "cxx_core/keys/scene_key_table.cpp",  # permitted ranges
+    "cxx_core/keys/profile_keys.cpp",  # likewise
     "cxx_core/table/table_step.cpp",  # permitted ranges and signs
 }
 # At namespace scope, or static in a class; not functions.

@@ -9,16 +9,11 @@
 #include "creep/elastic_history.hpp"
 #include "creep/friction.hpp"
 #include "creep/kinematics.hpp"
-#include "creep/rigid_slip.hpp"
 #include "half_space/material.hpp"
+#include "records/creep_choice.hpp"
 #include "rolling/rolling_problem.hpp"
 
 namespace wrc {
-
-/// How creep forces are computed: the ladder of docs/cheaper-models.md. Closed formulas and FASTSIM
-/// stand on the Hertzian ellipse with the patch's second moments of pressure; the full theory on
-/// its own pressures.
-enum class CreepModel { none, linear, shen_hedrick_elkins, polach, fastsim, full };
 
 /// What a wheel's creep forces follow from.
 struct CreepRequest {

@@ -34,24 +34,13 @@
 #include <vector>
 
 #include "base/grid.hpp"
+#include "records/creep_choice.hpp"
 #include "records/motion.hpp"
 #include "records/slip_geometry.hpp"
 #include "remesh/surface_rays.hpp"
 #include "rolling/rolling_problem.hpp"
 
 namespace wrc {
-
-/// Slip of each element at its position along its tangent; at its position along the plane's axes
-/// (b = 0 above), as CONTACT's D = 3; or of three creepages at the reference, as CONTACT's D = 2.
-enum class SlipVariation { by_element, plane_axes, planar };
-
-/// Whose height slip is taken at.
-enum class SlipSurface { wheel, mean };
-
-struct SlipChoice {
-  SlipVariation variation = SlipVariation::by_element;
-  SlipSurface surface = SlipSurface::wheel;
-};
 
 /// One row for each of the grid's. Rows without pressure continue their neighbours (none without
 /// any pressures), and so do those where a ray meets no surface.

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/error.hpp"
-#include "profile/read_options.hpp"
+#include "profile/limits.hpp"
 
 namespace wrc {
 namespace {

@@ -68,6 +68,9 @@ struct NormalProblem {
   const PatchInteraction* interaction = nullptr; ///< none: the patches do not interact
 };
 
+/// Precision of the iteration's directions. Answers meet the tolerance with both.
+enum class Precision { mixed, double_only };
+
 enum class StopReason { tolerance_met, iteration_limit, stagnation };
 std::string_view name_of(StopReason reason);
 

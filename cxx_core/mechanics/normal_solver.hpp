@@ -20,9 +20,6 @@
 
 namespace wrc {
 
-/// Precision of the iteration's directions. Answers meet the tolerance with both.
-enum class Precision { mixed, double_only };
-
 class NormalSolver {
 public:
   explicit NormalSolver(PlannerRigor rigor = PlannerRigor::estimate,

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "profile/reader_lines.hpp"
+#include "base/lower_case.hpp"
 
 namespace wrc {
 namespace {
@@ -28,7 +28,7 @@ constexpr std::array<Extension, 8> extensions{
 } // namespace
 
 FileType type_of(const std::filesystem::path& path) {
-  const std::string name = reading::lower(path.extension().string());
+  const std::string name = lower_case(path.extension().string());
   const auto* const found = std::find_if(extensions.begin(), extensions.end(),
                                          [&](const Extension& each) { return each.name == name; });
   return found == extensions.end() ? FileType{} : found->type;

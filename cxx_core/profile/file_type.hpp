@@ -7,9 +7,10 @@
 #include <optional>
 
 #include "profile/profile.hpp"
-#include "profile/read_options.hpp"
 
 namespace wrc {
+
+enum class ProfileFormat { columns, simpack, miniprof, slices };
 
 /// What a file's extension says.
 struct FileType {

@@ -5,8 +5,8 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "profile/readers.hpp"
-#include "profile/slices.hpp"
+#include "profile/file_type.hpp"
+#include "profile/limits.hpp"
 
 namespace wrc {
 namespace {

@@ -62,7 +62,7 @@ struct PatchResult : Patch {
   std::optional<SlipGeometry> slip;    ///< with them, if slip is that of each element
   std::optional<ContactDamage> damage; ///< if any of it was requested
   /// The parts, if several patches have one plane, each as it was solved; else empty. Everything
-  /// else is then that of the parts together (wheel/combined_contact.hpp), on a grid for fields
+  /// else is then that of the parts together (results/combined_contact.hpp), on a grid for fields
   /// only, which are computed on request.
   std::vector<PatchResult> parts;
 };
@@ -120,7 +120,7 @@ struct WheelResult {
   int convolutions = 0;
   int solutions = 0;
   StopReason stop_reason = StopReason::tolerance_met;
-  std::optional<int> state;         ///< flags of wheel/wheel_state.hpp, of mechanics
+  std::optional<int> state;         ///< flags of results/wheel_state.hpp, of mechanics
   bool solved = false;              ///< the mechanics have run
   bool meets_part_end = false;      ///< an end of a body that varies is in the contact
   std::vector<PatchResult> patches; ///< largest normal force first

@@ -3,8 +3,8 @@
 #include <array>
 
 #include "creep/rolling_frame.hpp"
+#include "results/contact_damage.hpp"
 #include "scene/patch_fields.hpp"
-#include "wheel/contact_damage.hpp"
 
 namespace wrc {
 namespace {

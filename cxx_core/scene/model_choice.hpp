@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "scene/scene.hpp"
+#include "keys/scene.hpp"
 #include "wheel/approximate_wheel.hpp"
 
 namespace wrc {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/error.hpp"
-#include "profile/noise_removal.hpp"
+#include "measured/noise_removal.hpp"
 #include "scene/number_tables.hpp"
 #include "scene/solve_scene.hpp"
 

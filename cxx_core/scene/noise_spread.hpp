@@ -1,7 +1,7 @@
 /// What the noise of measured profiles leaves uncertain of a scene's results.
 ///
 /// The scene is solved again with each of the curves that are equally likely
-/// (profile/noise_removal.hpp), all profiles at once. A spread is 2.23 times the root mean square
+/// (measured/noise_removal.hpp), all profiles at once. A spread is 2.23 times the root mean square
 /// of the differences from the result: the truth is within it in 95 of 100 cases, if the likely
 /// curves are as the truth is. Of the geometry and the normal contact; creep forces are solved only
 /// if loads depend on them. Units mm, MPa. Cost: ten solutions to an accuracy of 1e-2. Thread rule:

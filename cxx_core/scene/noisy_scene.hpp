@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "keys/scene.hpp"
 #include "profile/curve.hpp"
-#include "scene/scene.hpp"
 
 namespace wrc {
 

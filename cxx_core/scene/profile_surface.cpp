@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "geometry/along_check.hpp"
+#include "measured/sliced_profile_reader.hpp"
 
 namespace wrc {
 namespace {

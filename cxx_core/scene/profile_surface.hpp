@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geometry/sliced_sheets.hpp"
+#include "measured/read_options.hpp"
 
 namespace wrc {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/warning.hpp"
+#include "keys/scene.hpp"
 #include "profile/profile.hpp"
-#include "scene/scene.hpp"
 
 namespace wrc {
 

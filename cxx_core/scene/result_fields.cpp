@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "creep/rolling_frame.hpp"
+#include "results/combined_contact.hpp"
 #include "scene/patch_fields.hpp"
 #include "scene/result_names.hpp"
-#include "wheel/combined_contact.hpp"
 
 namespace wrc {
 namespace {

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "keys/scene.hpp"
+#include "keys/unused_keys.hpp"
 #include "scene/noisy_scene.hpp"
 #include "scene/profile_warnings.hpp"
-#include "scene/scene.hpp"
 #include "scene/scene_wheel.hpp"
-#include "scene/unused_keys.hpp"
 
 namespace wrc {
 

@@ -4,7 +4,7 @@
 
 #include "derivatives/force_jacobian.hpp"
 #include "derivatives/wheel_sensitivities.hpp"
-#include "wheel/residuals.hpp"
+#include "results/residuals.hpp"
 
 namespace wrc {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "records/wheel_result.hpp"
-#include "wheel/pressure_lobes.hpp"
+#include "results/pressure_lobes.hpp"
 
 namespace wrc {
 
@@ -19,13 +19,13 @@ struct SceneWheel : WheelResult {
   SceneWheel() = default;
   explicit SceneWheel(WheelResult result);
 
-  /// wheel/residuals.hpp.
+  /// results/residuals.hpp.
   const Residuals& residuals();
   /// derivatives/wheel_sensitivities.hpp; null if there are none.
   const WheelRates* sensitivities();
   /// derivatives/force_jacobian.hpp; null if there is none.
   const ForceJacobian* jacobian();
-  /// wheel/pressure_lobes.hpp, of a patch or of one of its parts.
+  /// results/pressure_lobes.hpp, of a patch or of one of its parts.
   const std::vector<PressureLobe>& lobes(std::size_t patch, std::optional<std::size_t> part);
 
 private:

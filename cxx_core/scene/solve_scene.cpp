@@ -8,14 +8,13 @@
 #include "creep/creep_forces.hpp"
 #include "creep/free_pitch.hpp"
 #include "creep/total_force.hpp"
+#include "results/contact_damage.hpp"
+#include "results/wheel_result.hpp"
+#include "results/wheel_state.hpp"
 #include "scene/model_choice.hpp"
 #include "scene/surface_cache.hpp"
 #include "scene/total_load.hpp"
-#include "wheel/contact_damage.hpp"
-#include "wheel/wheel_result.hpp"
 #include "wheel/wheel_solution.hpp"
-#include "wheel/wheel_state.hpp"
-#include "wheel/wheel_warnings.hpp"
 
 namespace wrc {
 namespace {

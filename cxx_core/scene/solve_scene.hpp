@@ -3,7 +3,7 @@
 /// Results are in the track frame (geometry/frames.hpp), the same for both wheels; only along a
 /// profile
 /// (`s_wheel`, `t_rail`) and across a patch (`lateral`) positive means to the field side.
-/// Units mm, N, MPa, rad, by name also others (scene/convention.hpp); times in ms. Thread rule:
+/// Units mm, N, MPa, rad, by name also others (keys/convention.hpp); times in ms. Thread rule:
 /// functions of the results are pure, except number_names and number_value, which keep what they
 /// have computed (scene_wheel.hpp).
 #pragma once
@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "keys/scene.hpp"
 #include "scene/number_ids.hpp"
-#include "scene/scene.hpp"
 #include "scene/scene_result.hpp"
 #include "scene/scene_warnings.hpp"
 

@@ -8,8 +8,8 @@
 #include "base/error.hpp"
 #include "base/stopwatch.hpp"
 #include "geometry/along_check.hpp"
-#include "profile/readers.hpp"
-#include "profile/sliced_profile.hpp"
+#include "measured/readers.hpp"
+#include "measured/sliced_profile_reader.hpp"
 
 namespace wrc {
 namespace {

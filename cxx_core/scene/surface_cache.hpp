@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "geometry/wheelset_equilibrium.hpp"
+#include "keys/scene.hpp"
 #include "scene/noisy_scene.hpp"
 #include "scene/profile_warnings.hpp"
-#include "scene/scene.hpp"
 
 namespace wrc {
 

@@ -6,8 +6,8 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/nearest_names.hpp"
-#include "scene/scene_file.hpp"
-#include "scene/scene_keys.hpp"
+#include "keys/scene_file.hpp"
+#include "keys/scene_keys.hpp"
 
 namespace wrc {
 namespace {

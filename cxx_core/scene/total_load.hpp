@@ -19,7 +19,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "scene/scene.hpp"
+#include "keys/scene.hpp"
 
 namespace wrc {
 

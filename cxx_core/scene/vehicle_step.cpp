@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "creep/elastic_history.hpp"
 #include "derivatives/rail_jacobian.hpp"
+#include "keys/scene_keys.hpp"
+#include "keys/unused_keys.hpp"
 #include "scene/model_choice.hpp"
 #include "scene/number_tables.hpp"
 #include "scene/patch_summary.hpp"
-#include "scene/scene_keys.hpp"
-#include "scene/unused_keys.hpp"
 
 namespace wrc {
 namespace {

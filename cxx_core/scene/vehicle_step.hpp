@@ -1,7 +1,7 @@
 /// One evaluation of a vehicle simulation: positions and velocities of a wheelset in, forces and
 /// Jacobians out, as plain arrays.
 ///
-/// Numbers are in the scene's convention (scene/convention.hpp). Thread rule: pure functions except
+/// Numbers are in the scene's convention (keys/convention.hpp). Thread rule: pure functions except
 /// for the result, one thread at a time.
 #pragma once
 
@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "creep/elastic_history.hpp"
 #include "derivatives/rail_jacobian.hpp"
 #include "scene/solve_scene.hpp"
 
@@ -51,7 +52,7 @@ struct WheelForces {
   /// By lateral, vertical and roll displacement of the wheel's own rail, and by their rates.
   std::array<SixNumbers, 3> by_rail{};
   std::array<SixNumbers, 3> by_rail_velocity{};
-  int state = 0; ///< flags of wheel/wheel_state.hpp
+  int state = 0; ///< flags of results/wheel_state.hpp
 };
 
 /// Creep forces of a patch at creepages of the caller's own.

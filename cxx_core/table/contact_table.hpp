@@ -23,8 +23,8 @@
 
 #include "base/value_with_rates.hpp"
 #include "geometry/frames.hpp"
+#include "keys/convention.hpp"
 #include "records/motion.hpp"
-#include "scene/convention.hpp"
 #include "table/creep_law.hpp"
 #include "table/error_map.hpp"
 #include "table/tensor_spline.hpp"

@@ -7,10 +7,10 @@
 
 #include "base/error.hpp"
 #include "base/reductions.hpp"
+#include "results/wheel_state.hpp"
 #include "table/constants.hpp"
 #include "table/table_nodes.hpp"
 #include "table/table_text.hpp"
-#include "wheel/wheel_state.hpp"
 
 namespace wrc {
 namespace {

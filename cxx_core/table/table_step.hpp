@@ -14,8 +14,8 @@
 
 namespace wrc {
 
-/// Flag of a wheel, beside those of wheel/wheel_state.hpp, in whose forces the exact solution has a
-/// part.
+/// Flag of a wheel, beside those of results/wheel_state.hpp, in whose forces the exact solution has
+/// a part.
 inline constexpr int exact_solution = 16; // not a tuning constant
 
 struct TableStep {

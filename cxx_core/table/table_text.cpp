@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
-#include "scene/scene.hpp"
+#include "keys/scene.hpp"
 
 namespace wrc {
 

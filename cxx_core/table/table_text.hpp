@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/convention.hpp"
+#include "keys/convention.hpp"
 #include "table/contact_table.hpp"
 
 namespace wrc {

@@ -1,4 +1,4 @@
-/// Constants of behaviour of this room: one wheel, from the first depth to its result.
+/// Constants of behaviour of this room: one wheel, from the first depth to its solution.
 ///
 /// Each with its origin: published (with author) or derived, bound, measured (with the program that
 /// measures it) or reasoned. `scripts/list_constants.sh` prints them all.
@@ -61,26 +61,6 @@ inline constexpr double max_rounding = 0.1;
 /// origin: derived: what share_of_law and iteration_share leave of it. With the whole accuracy pmax
 /// of a flange under 1e-5 N is 1.15e-3 off without a warning (wrc_extremes).
 inline constexpr double warned_rounding = 1.0 - share_of_law - iteration_share;
-
-/// A point is on the tip of the flange if the wheel falls by this much more steeply between it and
-/// the taping line, rad.
-/// origin: reasoned: flanks fall by 1 rad and more, crests of tips by less.
-inline constexpr double tip_fall = 0.2;
-
-/// Pressure that no steel of wheels and rails carries, MPa: 440 kgf/mm2. A material flows all round
-/// a contact when the mean pressure is its hardness, about three times its yield stress (Johnson,
-/// Contact Mechanics, 6.3).
-/// origin: published: 440 HBW, the upper end of the hardest grade, R400HT (EN 13674-1); wheels are
-/// softer, 320 HBW at most (EN 13262).
-inline constexpr double hardest_steel = 440.0 * 9.80665;
-/// Combined modulus above which bodies are no steel, MPa.
-/// origin: derived: of two steels of 230 GPa and 0.3; steels have 190 to 220 GPa.
-inline constexpr double stiffest_steel = 0.5 * 230e3 / (1.0 - 0.3 * 0.3);
-
-/// Largest slope of a wheel's tread towards the field side, rad; anything steeper is its chamfer.
-/// origin: published: treads of EN 13715 fall by up to 15 % (0.149 rad), their chamfers by 45
-/// degrees.
-inline constexpr double max_tread_slope = 0.2;
 
 /// In the vertical convention, patches that turn by less than same_plane_angle
 /// (patches/constants.hpp) from the main patch and lie within this distance of it, mm, share its
@@ -159,23 +139,9 @@ inline constexpr double good_validity = 0.8;
 /// origin: bound: flatter contacts are not elliptic.
 inline constexpr double min_curvature_share = 1e-3;
 
-/// Elements of the common grid of a contact of several patches, in those of all parts.
-/// origin: bound: of memory where small parts lie far apart.
-inline constexpr std::size_t max_elements_ratio = 16;
-
 /// Error of the greatest stress, by the part of the largest pressure that no element has.
 /// origin: measured (compare_stress): errors up to 2.5 times as large, on crests.
 inline constexpr double stress_error_by_crest = 2.5;
-
-/// Points along a section of stresses, and its depths below. About the number in CONTACT's own
-/// examples: the size of a picture, not a tuning constant.
-inline constexpr std::size_t section_places = 100;
-inline constexpr std::size_t section_depths = 60;
-/// ... its half length over the contact's semi-axis, and its depth over the smaller one.
-/// origin: derived: stresses have their maximum above 0.8 of it (Johnson 1985, 4.2), and fall below
-/// a third of it at 2.
-inline constexpr double section_half_length = 1.5;
-inline constexpr double section_depth = 2.0;
 
 /// Fraction of an error estimate above which a warning names its cause.
 /// origin: reasoned: less does not show in the three digits that are printed.

@@ -132,20 +132,4 @@ void warn_of_patches(const WheelRequest& request, WheelSolution& result) {
   }
 }
 
-void warn_of_pressure(WheelResult& wheel) {
-  if (!(wheel.pmax > hardest_steel) || wheel.details.combined_modulus > stiffest_steel) {
-    return;
-  }
-  const auto pressed = std::max_element(
-      wheel.patches.begin(), wheel.patches.end(),
-      [](const PatchResult& one, const PatchResult& other) { return one.pmax < other.pmax; });
-  const auto index = static_cast<std::size_t>(pressed - wheel.patches.begin());
-  wheel.warnings.push_back({WarningClass::pressure,
-                            of_patch(wheel, index) + "the largest pressure, " +
-                                text_of(std::round(wheel.pmax)) +
-                                " MPa, is more than steel can carry: the hardest rails flow at " +
-                                text_of(std::round(hardest_steel)) +
-                                " MPa, so real pressures are lower and the contact is larger"});
-}
-
 } // namespace wrc

@@ -7,9 +7,8 @@
 #pragma once
 
 #include "accuracy/grid_solution.hpp"
-#include "records/wheel_result.hpp"
+#include "records/wheel_request.hpp"
 #include "records/wheel_solution.hpp"
-#include "wheel/wheel_request.hpp"
 
 namespace wrc {
 
@@ -26,7 +25,5 @@ void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
                       double wheel_radius, const SolutionErrors& errors, WheelSolution& result);
 /// Warns of single patches of a result, which are in their final order.
 void warn_of_patches(const WheelRequest& request, WheelSolution& result);
-/// Warns of a largest pressure that no steel of wheels and rails carries; none of stiffer bodies.
-void warn_of_pressure(WheelResult& wheel);
 
 } // namespace wrc

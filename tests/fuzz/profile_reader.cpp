@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "profile/readers.hpp"
+#include "measured/readers.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
-#include "profile/slices.hpp"
+#include "measured/slices.hpp"
 
 namespace {
 

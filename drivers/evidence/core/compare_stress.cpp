@@ -17,8 +17,8 @@
 #include "arguments.hpp"
 #include "base/error.hpp"
 #include "damage/subsurface_stress.hpp"
+#include "results/contact_damage.hpp"
 #include "support/random_wheels.hpp"
-#include "wheel/contact_damage.hpp"
 
 namespace {
 

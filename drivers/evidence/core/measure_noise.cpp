@@ -17,8 +17,8 @@
 
 #include "arguments.hpp"
 #include "base/error.hpp"
-#include "profile/noisy_points.hpp"
-#include "profile/readers.hpp"
+#include "measured/noisy_points.hpp"
+#include "measured/readers.hpp"
 #include "profile/standard_profiles.hpp"
 #include "scene/solve_scene.hpp"
 

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "scene/scene_keys.hpp"
+#include "keys/scene_keys.hpp"
 #include "scene/solve_scene.hpp"
 #include "support/reference_data.hpp"
 

@@ -8,7 +8,7 @@
 #include "geometry/sliced_sheets.hpp"
 #include "geometry/varying_shapes.hpp"
 #include "geometry/varying_wheel.hpp"
-#include "profile/read_options.hpp"
+#include "profile/limits.hpp"
 #include "support/errors.hpp"
 
 namespace wrc::test::sliced_sheets_test {

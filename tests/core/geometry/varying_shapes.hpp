@@ -13,8 +13,8 @@
 
 #include "geometry/rail_surface.hpp"
 #include "geometry/wheel_surface.hpp"
+#include "measured/sliced_profile_reader.hpp"
 #include "profile/curve.hpp"
-#include "profile/sliced_profile.hpp"
 
 namespace wrc::test {
 

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "nearest.hpp"
+#include "measured/nearest.hpp"
+#include "measured/samples.hpp"
 #include "profile/writers.hpp"
-#include "samples.hpp"
 #include "support/errors.hpp"
 
 namespace wrc::test::writers_test {

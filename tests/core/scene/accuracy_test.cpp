@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "profile/readers.hpp"
+#include "measured/readers.hpp"
 #include "scene/solve_scene.hpp"
 
 namespace wrc::test::accuracy_test {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/scene_keys.hpp"
+#include "keys/scene_keys.hpp"
 #include "scene/solve_scene.hpp"
 
 namespace wrc::test::bounded_cost_test {

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "keys/scene_keys.hpp"
 #include "mechanics/normal_solver.hpp"
 #include "remesh/undeformed_distance.hpp"
-#include "scene/scene_keys.hpp"
 #include "scene/solve_scene.hpp"
 #include "support/reference_data.hpp"
 

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "creep/total_force.hpp"
-#include "scene/scene_keys.hpp"
+#include "keys/scene_keys.hpp"
 #include "scene/solve_scene.hpp"
 #include "support/reference_data.hpp"
 

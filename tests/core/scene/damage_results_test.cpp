@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "damage/subsurface_stress.hpp"
-#include "scene/scene_keys.hpp"
+#include "keys/scene_keys.hpp"
 #include "scene/solve_scene.hpp"
 
 namespace damage_results_test {

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "profile/noise_removal.hpp"
-#include "profile/noisy_points.hpp"
-#include "profile/readers.hpp"
+#include "measured/noise_removal.hpp"
+#include "measured/noisy_points.hpp"
+#include "measured/readers.hpp"
 #include "profile/standard_profiles.hpp"
 #include "scene/noise_spread.hpp"
 #include "scene/noisy_scene.hpp"

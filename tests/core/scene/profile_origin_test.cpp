@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "keys/scene_keys.hpp"
 #include "profile/writers.hpp"
-#include "scene/scene_keys.hpp"
 #include "scene/scene_warnings.hpp"
 #include "scene/solve_scene.hpp"
 

@@ -9,10 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include "profile/readers.hpp"
+#include "measured/readers.hpp"
+#include "results/constants.hpp"
 #include "scene/profile_warnings.hpp"
 #include "scene/solve_scene.hpp"
-#include "wheel/constants.hpp"
 
 namespace wrc::test::scene_warnings_test {
 namespace {

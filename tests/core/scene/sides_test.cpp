@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "creep/rolling_frame.hpp"
-#include "profile/readers.hpp"
-#include "scene/scene_file.hpp"
-#include "scene/scene_keys.hpp"
+#include "keys/scene_file.hpp"
+#include "keys/scene_keys.hpp"
+#include "measured/readers.hpp"
 #include "scene/scene_result.hpp"
 #include "scene/solve_scene.hpp"
 #include "support/errors.hpp"

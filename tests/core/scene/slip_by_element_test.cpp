@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "creep/total_force.hpp"
+#include "keys/scene_keys.hpp"
 #include "remesh/undeformed_distance.hpp"
-#include "scene/scene_keys.hpp"
 #include "scene/solve_scene.hpp"
 
 namespace wrc::test::slip_by_element_test {

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "base/file.hpp"
-#include "scene/scene_keys.hpp"
+#include "keys/scene_keys.hpp"
 #include "support/errors.hpp"
 
 namespace wrc::test::table_test {

@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include "keys/scene.hpp"
+#include "keys/scene_keys.hpp"
 #include "scene/patch_summary.hpp"
-#include "scene/scene.hpp"
-#include "scene/scene_keys.hpp"
 #include "support/errors.hpp"
 
 namespace wrc::test::vehicle_step_test {

@@ -9,7 +9,7 @@
 #include "geometry/varying_shapes.hpp"
 #include "geometry/wheelset_equilibrium.hpp"
 #include "half_space/material.hpp"
-#include "wheel/wheel_result.hpp"
+#include "results/wheel_result.hpp"
 #include "wheel/wheel_solution.hpp"
 
 namespace wrc::test {

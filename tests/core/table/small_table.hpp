@@ -1,7 +1,7 @@
 /// A table that is made in a second, for all tests of this room.
 #pragma once
 
-#include "scene/scene.hpp"
+#include "keys/scene.hpp"
 #include "table/table_build.hpp"
 
 namespace wrc::test {

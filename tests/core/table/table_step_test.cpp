@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "results/wheel_state.hpp"
 #include "table/constants.hpp"
 #include "table/small_table.hpp"
-#include "wheel/wheel_state.hpp"
 
 namespace wrc::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "half_space/material.hpp"
+#include "keys/scene_keys.hpp"
 #include "models/hertz.hpp"
-#include "scene/scene_keys.hpp"
 #include "scene/solve_scene.hpp"
 #include "support/errors.hpp"
 #include "support/simple_profiles.hpp"

@@ -14,9 +14,9 @@
 #include "remesh/mean_curve.hpp"
 #include "remesh/rail_normals.hpp"
 #include "remesh/undeformed_distance.hpp"
+#include "results/residuals.hpp"
 #include "support/energy_pairs.hpp"
 #include "support/reference_data.hpp"
-#include "wheel/residuals.hpp"
 
 namespace wrc::test::curved_contact_test {
 namespace {

@@ -16,32 +16,6 @@ bool has(const Warnings& warnings, WarningClass kind) {
                      [kind](const Warning& warning) { return warning.kind == kind; });
 }
 
-TEST(WheelWarnings, SeveralPatchesAreNumbered) {
-  WheelResult wheel;
-  wheel.patches.resize(1);
-  EXPECT_EQ(of_patch(wheel, 0), "");
-  wheel.patches.resize(2);
-  EXPECT_EQ(of_patch(wheel, 1), "patch 1: ");
-}
-
-TEST(WheelWarnings, PressuresBeyondSteelAreReportedWithTheirPatch) {
-  WheelResult wheel;
-  wheel.details.combined_modulus = 115e3;
-  wheel.patches.resize(2);
-  wheel.patches[1].pmax = wheel.pmax = 0.999 * hardest_steel;
-  warn_of_pressure(wheel);
-  EXPECT_TRUE(wheel.warnings.empty());
-  wheel.patches[1].pmax = wheel.pmax = 1.001 * hardest_steel;
-  warn_of_pressure(wheel);
-  ASSERT_EQ(wheel.warnings.size(), 1U);
-  EXPECT_EQ(wheel.warnings.front().kind, WarningClass::pressure);
-  EXPECT_TRUE(wheel.warnings.front().text.starts_with("patch 1: "));
-  wheel.warnings.clear();
-  wheel.details.combined_modulus = 1.001 * stiffest_steel;
-  warn_of_pressure(wheel);
-  EXPECT_TRUE(wheel.warnings.empty()) << "stiffer than steel";
-}
-
 TEST(WheelWarnings, ContactAtABoundaryDiffersFromContactAtTheGridEdge) {
   Patch patch;
   patch.penetration.y_first = 0.0;

@@ -1,0 +1,102 @@
+// Keys of stresses, wear and fatigue.
+#include "keys/key_makers.hpp"
+#include "keys/scene_key_table.hpp"
+
+namespace wrc {
+namespace {
+
+using namespace dimensions;
+using namespace key_makers;
+
+/// A set of words in any order, separated by blanks or commas.
+Key results_key() {
+  using Flag = bool DamageRequest::*;
+  static const std::array<std::pair<std::string_view, Flag>, 3> words{
+      {{"stress", &DamageRequest::stress},
+       {"wear", &DamageRequest::wear},
+       {"fatigue", &DamageRequest::fatigue}}};
+  Key key;
+  key.description = {"solve.results", "\"none\"",
+                     "\"none\", or any of \"stress\", \"wear\" and \"fatigue\", as one text or a "
+                     "list of them",
+                     "additional results: stresses below the surface, wear and fatigue; the last "
+                     "two need creep forces"};
+  key.get = [](const Scene& scene) {
+    std::string text;
+    for (const auto& [word, flag] : words) {
+      if (scene.damage.*flag) {
+        text.append(text.empty() ? "" : " ").append(word);
+      }
+    }
+    return KeyValue(text.empty() ? "none" : text);
+  };
+  key.set_text = [](Scene& scene, std::string_view value) {
+    DamageRequest asked = scene.damage;
+    asked.stress = asked.wear = asked.fatigue = false;
+    bool some = value == "none";
+    while (!some && !value.empty()) {
+      const std::size_t end = std::min(value.find_first_of(" ,"), value.size());
+      const std::string_view word = value.substr(0, end);
+      value.remove_prefix(std::min(end + 1, value.size()));
+      const auto found = std::find_if(words.begin(), words.end(),
+                                      [word](const auto& known) { return known.first == word; });
+      if (found != words.end()) {
+        asked.*(found->second) = true;
+      } else if (!word.empty()) {
+        return false;
+      }
+    }
+    if (!some && !asked.any()) {
+      return false;
+    }
+    scene.damage = asked;
+    return true;
+  };
+  return key;
+}
+
+/// Where a scene has something of the request.
+template <class Value> auto damage_place(Value DamageRequest::*member) {
+  return [member](auto& scene) -> auto& {
+    return scene.damage.*member;
+  };
+}
+template <class Value> auto law_place(Value WearRequest::*member) {
+  return [member](auto& scene) -> auto& {
+    return scene.damage.law.*member;
+  };
+}
+
+} // namespace
+
+std::vector<Key> make_damage_keys() {
+  return {
+      results_key(),
+      word_key<bool>({"stress.body", "\"rail\"", "\"rail\" or \"wheel\"",
+                      "body in which stresses are computed"},
+                     {{"rail", false}, {"wheel", true}}, damage_place(&DamageRequest::of_wheel)),
+      word_key<bool>(
+          {"stress.section", "\"along\"", "\"along\" or \"across\"",
+           "plane of the stress fields, through the point of the greatest von Mises stress"},
+          {{"along", false}, {"across", true}}, damage_place(&DamageRequest::section_across)),
+      word_key<WearLaw>(
+          {"wear.law", "\"usfd\"", "\"usfd\", \"archard\" or \"energy\"",
+           "wear law; usfd: by energy, for R8T wheel and 900A rail; archard: coefficients by "
+           "sliding speed and pressure; energy: one coefficient"},
+          {{"usfd", WearLaw::usfd}, {"archard", WearLaw::archard}, {"energy", WearLaw::energy}},
+          law_place(&WearRequest::law)),
+      number_key({"wear.energy_coefficient", "6.75e-7", "0 to 1 mm^3/(N mm)",
+                  "worn volume per energy with law energy; the default is the mild rate of usfd"},
+                 {0.0, 1.0}, pure, law_place(&WearRequest::energy_coefficient)),
+      number_key({"wear.hardness", "3000.0", "1 to 1e9 MPa",
+                  "hardness of the softer steel, with law archard"},
+                 {1.0, 1e9}, stress, law_place(&WearRequest::hardness)),
+      number_key(
+          {"wear.scale", "1.0", "0 to 1e6", "factor on every law, for lubrication or other steels"},
+          {0.0, 1e6}, pure, law_place(&WearRequest::scale)),
+      number_key({"fatigue.shear_yield", "300.0", "1 to 1e9 MPa",
+                  "yield stress in shear k of shakedown map and surface fatigue index"},
+                 {1.0, 1e9}, stress, damage_place(&DamageRequest::shear_yield))};
+}
+
+} // namespace wrc

@@ -1,0 +1,368 @@
+// Keys of the track and the wheelset: profiles, where they are, how they are smoothed.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "keys/key_makers.hpp"
+#include "keys/scene_key_table.hpp"
+
+namespace wrc {
+namespace {
+
+using namespace dimensions;
+using namespace key_makers;
+
+using Sides = std::vector<SceneSide Scene::*>;
+
+/// The name of a profile on one or both sides, or a profile given by the program.
+Key profile_key(KeyDescription description, ProfileKind kind, ProfileChoice SceneSide::*choice,
+                const Sides& sides) {
+  const auto set = [choice, sides](Scene& scene, std::string_view name,
+                                   const std::shared_ptr<const Profile>& given) {
+    std::vector<std::string> names(sides.size(), std::string(name)); // may run out of memory
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      ProfileChoice& chosen = (scene.*sides[i]).*choice;
+      chosen.name = std::move(names[i]);
+      chosen.given = given;
+    }
+  };
+  Key key;
+  key.description = description;
+  key.get = [choice, sides](const Scene& scene) {
+    const std::string& name = ((scene.*sides.front()).*choice).name;
+    return name == ((scene.*sides.back()).*choice).name ? KeyValue(name) : KeyValue();
+  };
+  key.set_text = [set](Scene& scene, std::string_view name) {
+    if (!name.empty()) {
+      set(scene, name, nullptr);
+    }
+    return !name.empty();
+  };
+  key.set_profile = [set, kind](Scene& scene, const Profile& profile) {
+    if (profile.kind == kind) {
+      const bool built_in = profile.points.empty();
+      set(scene, profile.name, built_in ? nullptr : std::make_shared<const Profile>(profile));
+    }
+    return profile.kind == kind;
+  };
+  return key;
+}
+
+/// A wavelength at which profiles are smoothed, on one or both sides.
+struct Smoothing {
+  std::optional<double> ProfileChoice::*member;
+  Range range;
+  std::string_view allowed;
+};
+
+constexpr Smoothing across{
+    &ProfileChoice::smoothing, {0.0, 100.0}, "\"auto\", or 0 (none) to 100 mm"};
+constexpr Smoothing along{
+    &ProfileChoice::smoothing_along, {0.0, 1e6}, "\"auto\", or 0 (none) to 1e6 mm"};
+
+Key smoothing_key(const Smoothing& smoothing, std::string_view name, std::string_view meaning,
+                  ProfileChoice SceneSide::*choice, const Sides& sides) {
+  const auto of = [ choice, member = smoothing.member ](auto& side) -> auto& {
+    return (side.*choice).*member;
+  };
+  Key key;
+  key.description = {name, "\"auto\"", smoothing.allowed, meaning};
+  key.dimension = length;
+  key.min = smoothing.range.min;
+  key.max = smoothing.range.max;
+  key.get = [of, sides](const Scene& scene) {
+    const std::optional<double>& value = of(scene.*sides.front());
+    if (value != of(scene.*sides.back())) {
+      return KeyValue();
+    }
+    return value ? KeyValue(*value) : KeyValue(std::string("auto"));
+  };
+  key.set_number = [of, sides](Scene& scene, double value) {
+    for (SceneSide Scene::*side : sides) {
+      of(scene.*side) = value;
+    }
+  };
+  key.set_text = [of, sides](Scene& scene, std::string_view value) {
+    if (value != "auto") {
+      return false;
+    }
+    for (SceneSide Scene::*side : sides) {
+      of(scene.*side).reset();
+    }
+    return true;
+  };
+  return key;
+}
+
+/// What is said of a key with a rail's displacement, or its velocity.
+struct RailMoves {
+  std::string_view allowed;
+  Three limits;
+};
+
+constexpr RailMoves displacements{
+    "[lateral, vertical, roll], each -1e4 to 1e4 mm, the roll -0.2 to 0.2 rad", {1e4, 1e4, 0.2}};
+constexpr RailMoves velocities{
+    "[lateral, vertical, roll], each -1e6 to 1e6 mm/s, the roll -1e3 to 1e3 rad/s",
+    {1e6, 1e6, 1e3}};
+
+Key rail_key(std::string_view name, const RailMoves& moves, std::string_view meaning,
+             SceneSide Scene::*side, RailDisplacement SceneSide::*member) {
+  return three_key(
+      {name, "[0.0, 0.0, 0.0]", moves.allowed, meaning}, moves.limits,
+      {turning_length, turning_length, pure},
+      [side, member](const Scene& scene) -> std::optional<Three> {
+        const RailDisplacement& moved = (scene.*side).*member;
+        return Three{moved.lateral, moved.height, moved.roll};
+      },
+      [side, member](Scene& scene, const Three& values) {
+        (scene.*side).*member = {values[0], values[1], values[2]};
+      });
+}
+
+/// "1:n" as the angle atan(1/n).
+bool parse_cant(std::string_view text, double& cant) {
+  const bool negative = text.starts_with('-');
+  if (negative) {
+    text.remove_prefix(1);
+  }
+  if (!text.starts_with("1:")) {
+    return false;
+  }
+  text.remove_prefix(2);
+  double n = 0.0;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), n);
+  if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size() || !(n >= 5.0) ||
+      !std::isfinite(n)) {
+    return false;
+  }
+  cant = (negative ? -1.0 : 1.0) * std::atan(1.0 / n);
+  return true;
+}
+
+Key rail_origin_key() {
+  constexpr Range range{-2000.0, 2000.0};
+  Key key;
+  key.description = {"track.rail_origin", "\"gauge\"", "\"gauge\" or -2000 to 2000 mm",
+                     "where rails are: by gauge and rail top, or the origin of their profiles this "
+                     "far outside the track centre, at height 0"};
+  key.dimension = length;
+  key.min = range.min;
+  key.max = range.max;
+  key.get = [](const Scene& scene) {
+    return scene.track.origin ? KeyValue(*scene.track.origin) : KeyValue(std::string("gauge"));
+  };
+  key.set_number = [](Scene& scene, double value) { scene.track.origin = value; };
+  key.set_text = [](Scene& scene, std::string_view value) {
+    if (value == "gauge") {
+      scene.track.origin.reset();
+    }
+    return value == "gauge";
+  };
+  return key;
+}
+
+Key align_key() {
+  Key key;
+  key.description = {"wheelset.align_to", "\"none\"",
+                     "\"none\" or a text: a built-in wheel or a profile file",
+                     "nominal profile on which wheel profiles read from a file are laid where they "
+                     "are not worn"};
+  key.get = [](const Scene& scene) {
+    return KeyValue(scene.align_to.empty() ? std::string("none") : scene.align_to);
+  };
+  key.set_text = [](Scene& scene, std::string_view value) {
+    if (value == "none")
+      scene.align_to.clear();
+    else if (!value.empty())
+      scene.align_to = value;
+    return !value.empty();
+  };
+  return key;
+}
+
+/// Waves of a wheel's radius.
+Key harmonics_key(std::string_view name, std::string_view meaning, const Sides& sides) {
+  Key key;
+  key.description = {
+      name, "\"none\"",
+      "[order, amplitude, phase, ...], at most 100 waves of 12 mm or more in length, with slopes "
+      "up to 0.2, amplitudes of -50 to 50 mm and phases of -1e6 to 1e6 rad; or \"none\"",
+      meaning};
+  key.get = [sides](const Scene& scene) {
+    const auto& waves = (scene.*sides.front()).wheel.harmonics;
+    if (waves != (scene.*sides.back()).wheel.harmonics) {
+      return KeyValue();
+    }
+    std::vector<double> values;
+    for (const RadiusHarmonic& wave : waves) {
+      values.insert(values.end(),
+                    {static_cast<double>(wave.order),
+                     to_caller(wave.amplitude, scene.convention, length), wave.phase});
+    }
+    return values.empty() ? KeyValue(std::string("none")) : KeyValue(values);
+  };
+  const auto set = [sides](Scene& scene, const std::vector<RadiusHarmonic>& waves) {
+    std::vector<std::vector<RadiusHarmonic>> copies(sides.size(), waves); // may run out of memory
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      (scene.*sides[i]).wheel.harmonics = std::move(copies[i]);
+    }
+  };
+  key.set_text = [set](Scene& scene, std::string_view value) {
+    if (value == "none") {
+      set(scene, {});
+    }
+    return value == "none";
+  };
+  key.set_numbers = [set](Scene& scene, std::span<const double> values) {
+    constexpr std::size_t most_waves = 100;
+    if (values.empty() || values.size() % 3 != 0 || values.size() > 3 * most_waves) {
+      return false;
+    }
+    std::vector<RadiusHarmonic> waves;
+    for (std::size_t i = 0; i < values.size(); i += 3) {
+      const double amplitude = from_caller(values[i + 1], scene.convention, length);
+      if (!(values[i] >= 1.0 && values[i] <= 1000.0 && values[i] == std::floor(values[i]) &&
+            std::abs(amplitude) <= 50.0 && std::abs(values[i + 2]) <= 1e6)) {
+        return false;
+      }
+      waves.push_back({static_cast<int>(values[i]), amplitude, values[i + 2]});
+    }
+    set(scene, waves);
+    return true;
+  };
+  return key;
+}
+
+} // namespace
+
+std::vector<Key> make_track_keys() {
+  std::vector<Key> keys;
+  keys.push_back(number_key(
+      {"track.gauge", "1435.0", "600 to 1700 mm",
+       "distance between the gauge faces at the gauge height"},
+      {600.0, 1700.0}, length, [](auto& s) -> auto& { return s.track.gauge; }));
+  keys.push_back(number_key(
+      {"track.gauge_height", "14.0", "1 to 30 mm",
+       "where the gauge is measured, below the top of the inclined rail"},
+      {1.0, 30.0}, length, [](auto& s) -> auto& { return s.track.gauge_height; }));
+  Key cant = number_key(
+      {"track.cant", "\"1:40\"", "\"1:n\" or \"-1:n\" with n >= 5, or -0.2 to 0.2 rad",
+       "inclination of the rails towards the track centre"},
+      {-0.2, 0.2}, pure, [](auto& s) -> auto& { return s.track.cant; });
+  cant.set_text = [](Scene& s, std::string_view v) { return parse_cant(v, s.track.cant); };
+  keys.push_back(cant);
+  keys.push_back(rail_origin_key());
+  constexpr std::string_view allowed = "a text: a built-in rail or a profile file";
+  const auto rail = [&](std::string_view name, std::string_view meaning, const Sides& sides) {
+    keys.push_back(profile_key({name, "\"60E1\"", allowed, meaning}, ProfileKind::rail,
+                               &SceneSide::rail, sides));
+  };
+  const auto smoothing = [&](std::string_view name, std::string_view meaning, const Sides& sides) {
+    keys.push_back(smoothing_key(across, name, meaning, &SceneSide::rail, sides));
+  };
+  const auto moves = [&](auto... arguments) { keys.push_back(rail_key(arguments...)); };
+  rail("track.rail", "profile of both rails", {&Scene::left, &Scene::right});
+  smoothing("track.rail_smoothing", "smoothing wavelength of rail profiles read from a file",
+            {&Scene::left, &Scene::right});
+  keys.push_back(smoothing_key(along, "track.rail_smoothing_along",
+                               "smoothing of rails that vary: waves of this length along the "
+                               "track are halved; 0: the surface passes through the slices; auto: "
+                               "as the slices file says",
+                               &SceneSide::rail, {&Scene::left, &Scene::right}));
+  rail("track.left.rail", "profile of the left rail", {&Scene::left});
+  smoothing("track.left.rail_smoothing",
+            "smoothing wavelength of the left rail's profile, if it is read from a file",
+            {&Scene::left});
+  moves("track.left.displacement", displacements,
+        "displacement of the left rail from its nominal position, for track irregularities or "
+        "flexible track; roll about the origin of its profile",
+        &Scene::left, &SceneSide::displacement);
+  moves("track.left.velocity", velocities,
+        "velocity of the left rail on flexible track; affects creepages from motion.*",
+        &Scene::left, &SceneSide::velocity);
+  rail("track.right.rail", "profile of the right rail", {&Scene::right});
+  smoothing("track.right.rail_smoothing",
+            "smoothing wavelength of the right rail's profile, if it is read from a file",
+            {&Scene::right});
+  moves("track.right.displacement", displacements, "displacement of the right rail", &Scene::right,
+        &SceneSide::displacement);
+  moves("track.right.velocity", velocities, "velocity of the right rail", &Scene::right,
+        &SceneSide::velocity);
+  return keys;
+}
+
+std::vector<Key> make_wheelset_keys() {
+  std::vector<Key> keys;
+  constexpr std::string_view allowed = "a text: a built-in wheel or a profile file";
+  const auto wheel = [&](std::string_view name, std::string_view meaning, const Sides& sides) {
+    keys.push_back(profile_key({name, "\"S1002\"", allowed, meaning}, ProfileKind::wheel,
+                               &SceneSide::wheel, sides));
+  };
+  const auto smoothing = [&](std::string_view name, std::string_view meaning, const Sides& sides) {
+    keys.push_back(smoothing_key(across, name, meaning, &SceneSide::wheel, sides));
+  };
+  const auto radius = [&](std::string_view name, std::string_view meaning, auto... sides) {
+    keys.push_back(number_key({name, "460.0", "50 to 5000 mm", meaning}, {50.0, 5000.0}, length,
+                              place_of(sides, &SceneSide::radius)...));
+  };
+  wheel("wheelset.wheel", "profile of both wheels", {&Scene::left, &Scene::right});
+  keys.push_back(smoothing_key(along, "wheelset.wheel_smoothing_along",
+                               "smoothing of wheels that vary: waves of this length around the "
+                               "circumference are halved; 0: the surface passes through the "
+                               "slices; auto: as the slices file says",
+                               &SceneSide::wheel, {&Scene::left, &Scene::right}));
+  keys.push_back(harmonics_key(
+      "wheelset.harmonics",
+      "waves of the radius around both wheels, amplitude cos(order theta - phase): order 1 is an "
+      "eccentricity, higher ones polygons; theta points down at pose.pitch = theta",
+      {&Scene::left, &Scene::right}));
+  smoothing("wheelset.wheel_smoothing", "smoothing wavelength of wheel profiles read from a file",
+            {&Scene::left, &Scene::right});
+  keys.push_back(number_key(
+      {"wheelset.back_to_back", "1360.0", "500 to 1650 mm",
+       "distance between the inner faces of the wheels"},
+      {500.0, 1650.0}, length, [](auto& s) -> auto& { return s.back_to_back; }));
+  keys.push_back(number_key(
+      {"wheelset.tape_offset", "70.0", "20 to 120 mm",
+       "distance from the inner face to the taping line"},
+      {20.0, 120.0}, length, [](auto& s) -> auto& { return s.tape_offset; }));
+  keys.push_back(word_key<WheelOrigin>(
+      {"wheelset.profile_origin", "\"auto\"", "\"auto\", \"tape\" or \"flange-back\"",
+       "where wheel profiles read from a file have lateral 0"},
+      {{"auto", WheelOrigin::by_file},
+       {"tape", WheelOrigin::tape},
+       {"flange-back", WheelOrigin::flange_back}},
+      [](auto& s) -> auto& { return s.profile_origin; }));
+  keys.push_back(number_key(
+      {"wheelset.profile_shift", "0.0", "-500 to 500 mm",
+       "shift added to lateral positions of wheel profiles read from a file, instead of "
+       "wheelset.profile_origin, so that the taping line is at 0; 0: none"},
+      {-500.0, 500.0}, length, [](auto& s) -> auto& { return s.profile_shift; }));
+  keys.push_back(optional_key(
+      {"wheelset.profile_rotation", "\"auto\"", "\"auto\" or -0.5 to 0.5 rad",
+       "rotation of wheel profiles read from a file, anticlockwise in (lateral, height) about the "
+       "taping line; \"auto\": that of parallel faces, else a warning where a tilt shows; 0: none"},
+      {-0.5, 0.5}, pure, &Scene::profile_rotation, "auto"));
+  keys.push_back(align_key());
+  radius("wheelset.radius", "nominal rolling radius, at the taping line", &Scene::left,
+         &Scene::right);
+  wheel("wheelset.left.wheel", "profile of the left wheel", {&Scene::left});
+  keys.push_back(harmonics_key("wheelset.left.harmonics", "waves of the radius of the left wheel",
+                               {&Scene::left}));
+  smoothing("wheelset.left.wheel_smoothing",
+            "smoothing wavelength of the left wheel's profile, if it is read from a file",
+            {&Scene::left});
+  radius("wheelset.left.radius", "nominal radius of the left wheel", &Scene::left);
+  wheel("wheelset.right.wheel", "profile of the right wheel", {&Scene::right});
+  keys.push_back(harmonics_key("wheelset.right.harmonics", "waves of the radius of the right wheel",
+                               {&Scene::right}));
+  smoothing("wheelset.right.wheel_smoothing",
+            "smoothing wavelength of the right wheel's profile, if it is read from a file",
+            {&Scene::right});
+  radius("wheelset.right.radius", "nominal radius of the right wheel", &Scene::right);
+  return keys;
+}
+
+} // namespace wrc

@@ -1,0 +1,148 @@
+/// A scene: everything that is requested, with the defaults of the paper's Table 1.
+///
+/// Values are reached by the keys of a scene file (keys/scene_keys.hpp), which also hold their
+/// permitted ranges. Units mm, N, MPa, rad; track frame of geometry/frames.hpp.
+/// Thread rule: a plain value.
+#pragma once
+
+#include <bitset>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/rail_surface.hpp"
+#include "geometry/wheel_surface.hpp"
+#include "half_space/fft.hpp"
+#include "half_space/material.hpp"
+#include "keys/convention.hpp"
+#include "measured/read_options.hpp"
+#include "mechanics/normal_contact.hpp"
+#include "profile/profile.hpp"
+#include "records/creep_choice.hpp"
+#include "records/damage_result.hpp"
+#include "records/friction_law.hpp"
+#include "records/motion.hpp"
+#include "records/wheel_request.hpp"
+#include "rolling/rolling_problem.hpp"
+
+namespace wrc {
+
+struct ContactHistory; // creep/elastic_history.hpp
+
+enum class SideChoice { both, left, right };
+enum class ModelRequest { automatic, half_space, hertz, kik_piotrowski };
+
+/// Largest permitted creepage, and spin in 1/mm.
+/// origin: bound: full sliding in every case.
+inline constexpr double max_creepage = 10.0;
+
+/// As keys and results call it.
+constexpr std::string_view name_of(SolverChoice solver) {
+  return solver == SolverChoice::paper ? "paper" : "default";
+}
+
+struct ProfileChoice {
+  std::string name; ///< of a built-in profile, or a file
+  /// Used instead of one of that name if given, which is then its name.
+  std::shared_ptr<const Profile> given{};
+  /// Wavelength in mm for a profile read from a file, 0: none; automatic if not set.
+  std::optional<double> smoothing{};
+  std::optional<double> smoothing_along{};   ///< of slices, mm; as their file says if not set
+  WheelOrigin origin = WheelOrigin::by_file; ///< of a wheel's file; a scene's is that of all
+  double shift = 0.0;                        ///< of its lateral, mm, instead of the origin; 0: none
+  std::optional<double> rotation{};          ///< of a wheel's file, rad; a scene's is that of all
+  std::string align_to{};                    ///< nominal profile of a wheel's file, or empty
+  std::vector<RadiusHarmonic> harmonics{};   ///< of a wheel's radius
+  bool operator==(const ProfileChoice&) const = default;
+};
+
+/// What may differ from side to side.
+struct SceneSide {
+  ProfileChoice wheel{"S1002"};
+  double radius = 460.0; ///< of the wheel at the taping line
+  ProfileChoice rail{"60E1"};
+  RailDisplacement displacement; ///< of the rail, track frame
+  RailDisplacement velocity;     ///< of the rail, mm/s and rad/s
+  double load = 80000.0;         ///< vertical force on the wheel, of the normal pressures
+  /// Instead: all of it, creep forces included (scene/total_load.hpp).
+  std::optional<double> total_load;
+  FrictionLaw friction;
+  /// Creepages of all patches, at their references; without any on both sides: from `motion`.
+  std::optional<Creepages> creepages;
+};
+
+/// Keys by their ids, the indices in scene_keys (keys/scene_keys.hpp).
+using KeySet = std::bitset<256>;
+
+struct Scene : WheelOptions {
+  Convention convention; ///< of the numbers outside; those here are in mm, y left, z up
+
+  SceneSide left;
+  SceneSide right;
+  TrackDimensions track;
+  double back_to_back = 1360.0;
+  double tape_offset = 70.0;                         ///< taping line to inner face
+  WheelOrigin profile_origin = WheelOrigin::by_file; ///< of wheels read from files
+  double profile_shift = 0.0;                        ///< mm; see ProfileChoice
+  std::optional<double> profile_rotation;            ///< rad; see ProfileChoice
+  std::string align_to;                              ///< see ProfileChoice
+
+  Material wheel_material{210000.0, 0.3};
+  Material rail_material{210000.0, 0.3};
+  std::optional<double> yield_pressure; ///< of a state only (results/wheel_state.hpp), MPa
+  DamageRequest damage;                 ///< except its Poisson's ratio, which is that of the body
+
+  double lateral = 0.0;
+  double yaw = 0.0;
+  /// Of the wheelset's centre along the track, mm, and turn about its axle, rad: which part of
+  /// rails and wheels that vary is in contact.
+  double along = 0.0;
+  double pitch = 0.0;
+  std::optional<double> roll;     ///< prescribed; solved if not set
+  std::optional<double> vertical; ///< prescribed height of the wheelset's centre; solved if not set
+
+  std::optional<double> normal_load; ///< instead of the sides': force along the patch's normal
+
+  /// What creepages follow from where none are given; else its speed is that of the power. Without
+  /// either there are no creep forces.
+  std::optional<Motion> motion;
+  double standstill_speed = Motion{}.standstill_speed; ///< of the motion
+  bool pitch_is_free = false; ///< of the motion: such that contact forces hold the torque
+  double torque = 0.0;        ///< about the axle, N mm, > 0 drives forwards
+  bool derivatives = false;   ///< of creep forces, whether they are kept for a Jacobian
+  SlipVariation slip = SlipVariation::by_element; ///< of creep forces from a motion
+  SlipSurface slip_surface = SlipSurface::wheel;
+  /// A step of time of creep forces from the motion, s, and what it starts from; 0: steady rolling.
+  double time_step = 0.0;
+  std::shared_ptr<const ContactHistory> history;
+  std::optional<CreepModel> creep; ///< automatic if not set: full where there are creepages
+
+  SideChoice side = SideChoice::both;
+  ModelRequest model = ModelRequest::automatic;
+  std::optional<Elements> elements; ///< smooth, but constant with the paper's solver, if not set
+  PlannerRigor planner = PlannerRigor::estimate;
+  Precision precision = Precision::mixed;
+  double near_tolerance = 0.1; ///< contacts listed as near: distance at first touch, mm
+  int threads = 1;
+
+  /// Keys that were set, other than to their default; which of them have no effect beside others is
+  /// in keys/unused_keys.hpp.
+  KeySet given;
+
+  Scene();
+
+  [[nodiscard]] bool has_creepages() const { return left.creepages || right.creepages; }
+  /// Over which the axle's speed is that of rolling, mm.
+  [[nodiscard]] double nominal_radius() const { return 0.5 * (left.radius + right.radius); }
+};
+
+/// Whether a profile is that of a slices file.
+bool is_sliced(const ProfileChoice& choice);
+/// Whether rails may vary along the track, wheels around their circumference, any of them.
+bool rails_vary(const Scene& scene);
+bool wheels_vary(const Scene& scene);
+bool varies(const Scene& scene);
+
+} // namespace wrc

@@ -1,0 +1,173 @@
+#include "keys/unused_keys.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "keys/scene_keys.hpp"
+
+namespace wrc {
+namespace {
+
+using Condition = bool (*)(const Scene&);
+using Names = std::initializer_list<std::string_view>;
+
+/// A key that has no effect where the condition holds.
+struct Row {
+  std::int32_t key = 0;
+  std::vector<std::int32_t> causes; ///< of which one took its place; none: the reason says why
+  std::string_view reason;          ///< if there are no causes
+  Condition holds = nullptr;
+};
+
+bool has_load(const Scene& scene) { // of the pressures, not replaced by another one
+  return !scene.vertical && !scene.normal_load;
+}
+
+bool wants_wear(const Scene& scene) {
+  return scene.damage.wear || scene.damage.fatigue;
+}
+
+const Names loads{"load.vertical",       "load.left",       "load.right",      "load.normal",
+                  "load.total_vertical", "load.total_left", "load.total_right"};
+
+std::vector<Row> make_rows() {
+  std::vector<Row> rows;
+  const auto add = [&rows](Names keys, Names causes, Condition holds,
+                           std::string_view reason = {}) {
+    for (const std::string_view key : keys) {
+      Row row{key_id(key), {}, reason, holds};
+      for (const std::string_view cause : causes) {
+        row.causes.push_back(key_id(cause));
+      }
+      rows.push_back(row);
+    }
+  };
+  add(loads, {"pose.vertical"}, [](const Scene& s) { return s.vertical.has_value(); });
+  add({"load.vertical", "load.left", "load.right", "load.total_vertical", "load.total_left",
+       "load.total_right"},
+      {"load.normal"}, [](const Scene& s) { return !s.vertical && s.normal_load; });
+  // Of the load of the pressures, the total and load.normal the one set last counts.
+  add({"load.normal"}, {"load.total_vertical", "load.total_left", "load.total_right"},
+      [](const Scene& s) { return has_load(s) && (s.left.total_load || s.right.total_load); });
+  add({"load.normal"}, {"load.vertical", "load.left", "load.right"}, has_load);
+  add({"load.vertical"}, {"load.total_vertical", "load.total_left", "load.total_right"},
+      [](const Scene& s) { return has_load(s) && s.left.total_load && s.right.total_load; });
+  add({"load.left"}, {"load.total_left", "load.total_vertical"},
+      [](const Scene& s) { return has_load(s) && s.left.total_load; });
+  add({"load.right"}, {"load.total_right", "load.total_vertical"},
+      [](const Scene& s) { return has_load(s) && s.right.total_load; });
+  add({"load.total_vertical"}, {"load.vertical", "load.left", "load.right"},
+      [](const Scene& s) { return has_load(s) && !s.left.total_load && !s.right.total_load; });
+  add({"load.total_left"}, {"load.left", "load.vertical"},
+      [](const Scene& s) { return has_load(s) && !s.left.total_load; });
+  add({"load.total_right"}, {"load.right", "load.vertical"},
+      [](const Scene& s) { return has_load(s) && !s.right.total_load; });
+
+  add({"motion.pitch", "motion.torque", "motion.lateral", "motion.vertical", "motion.roll",
+       "motion.yaw", "motion.curvature", "motion.standstill_speed"},
+      {"creepage.longitudinal", "creepage.lateral", "creepage.spin", "creepage.left",
+       "creepage.right"},
+      [](const Scene& s) { return s.has_creepages(); });
+  add(
+      {"motion.torque"}, {}, [](const Scene& s) { return s.torque != 0.0 && !s.pitch_is_free; },
+      " is not used: motion.pitch is not \"free\"");
+
+  add({"friction.coefficient"},
+      {"friction.places", "friction.left_places", "friction.right_places"}, [](const Scene& s) {
+        return !s.left.friction.places.empty() && !s.right.friction.places.empty();
+      });
+  add({"friction.left"}, {"friction.left_places", "friction.places"},
+      [](const Scene& s) { return !s.left.friction.places.empty(); });
+  add({"friction.right"}, {"friction.right_places", "friction.places"},
+      [](const Scene& s) { return !s.right.friction.places.empty(); });
+  add({"friction.places"}, {"friction.coefficient"}, [](const Scene& s) {
+    return s.left.friction.places.empty() && s.right.friction.places.empty();
+  });
+  add({"friction.left_places"}, {"friction.left", "friction.coefficient"},
+      [](const Scene& s) { return s.left.friction.places.empty(); });
+  add({"friction.right_places"}, {"friction.right", "friction.coefficient"},
+      [](const Scene& s) { return s.right.friction.places.empty(); });
+
+  add({"solve.grid"}, {"solve.accuracy"}, [](const Scene& s) { return !s.grid; });
+  add(
+      {"solve.results"}, {},
+      [](const Scene& s) { return wants_wear(s) && s.creep == CreepModel::none; },
+      ": no wear or fatigue without creep forces, which solve.creep = \"none\" leaves out");
+  add(
+      {"solve.results"}, {},
+      [](const Scene& s) { return wants_wear(s) && !s.has_creepages() && !s.motion; },
+      ": no wear or fatigue without creep forces, which keys of creepage.* or motion.* request");
+  return rows;
+}
+
+struct Table {
+  std::vector<Row> rows = make_rows();
+  KeySet keys; ///< of the rows
+  KeySet overruled_by_steps;
+
+  Table() {
+    for (const Row& row : rows) {
+      keys.set(static_cast<std::size_t>(row.key));
+    }
+    for (const std::string_view load : loads) {
+      overruled_by_steps.set(static_cast<std::size_t>(key_id(load)));
+    }
+    overruled_by_steps.set(static_cast<std::size_t>(key_id("motion.torque")));
+  }
+};
+
+const Table& table() {
+  static const Table made;
+  return made;
+}
+
+bool is_given(const KeySet& given, std::int32_t key) {
+  return given[static_cast<std::size_t>(key)];
+}
+
+std::string name_of_key(std::int32_t key) {
+  return std::string(scene_keys()[static_cast<std::size_t>(key)].name);
+}
+
+} // namespace
+
+UnusedKeys::UnusedKeys(const Scene& scene) : given_(scene.given) {
+  if ((scene.given & table().keys).none()) {
+    return;
+  }
+  KeySet told; // by the first row that applies
+  std::size_t place = 0;
+  for (const Row& row : table().rows) {
+    if (!is_given(told, row.key) && is_given(scene.given, row.key) && row.holds(scene)) {
+      told.set(static_cast<std::size_t>(row.key));
+      found_.set(place);
+    }
+    ++place;
+  }
+}
+
+void UnusedKeys::append_to(Warnings& all) const {
+  for (std::size_t place = 0; place < table().rows.size(); ++place) {
+    if (!found_[place]) {
+      continue;
+    }
+    const Row& row = table().rows[place];
+    // One that was set to its default is not among those given: the first one then stands for it.
+    const auto given = std::find_if(row.causes.begin(), row.causes.end(),
+                                    [&](std::int32_t key) { return is_given(given_, key); });
+    const auto cause = given == row.causes.end() ? row.causes.begin() : given;
+    const std::string reason = row.causes.empty()
+                                   ? std::string(row.reason)
+                                   : " is not used: " + name_of_key(*cause) + " is set";
+    all.push_back({WarningClass::unused_key, name_of_key(row.key) + reason});
+  }
+}
+
+const KeySet& keys_overruled_by_steps() {
+  return table().overruled_by_steps;
+}
+
+} // namespace wrc

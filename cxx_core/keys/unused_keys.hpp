@@ -1,0 +1,39 @@
+/// Keys that were set but have no effect, since another one takes their place.
+///
+/// One table says which key leaves which others without effect: a prescribed height the loads,
+/// `load.normal` the other loads, creepages the motion. It counts what a scene holds, so the order
+/// of keys matters where setting one resets another. A key that is set to its default sets nothing.
+/// A check costs some bits, and texts are put together when they are read. Thread rule: plain
+/// values.
+///
+/// Not found here: a key of both sides that those of each side overrule, and one that has an effect
+/// only with certain values of others, such as solve.tolerance.
+#pragma once
+
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+
+#include "base/warning.hpp"
+#include "keys/scene.hpp"
+
+namespace wrc {
+
+class UnusedKeys {
+public:
+  UnusedKeys() = default;
+  explicit UnusedKeys(const Scene& scene);
+
+  [[nodiscard]] std::size_t count() const { return found_.count(); }
+  /// Appends a warning for each: "load.left is not used: load.normal is set".
+  void append_to(Warnings& all) const;
+
+private:
+  std::bitset<64> found_; ///< by rows of the table
+  KeySet given_;
+};
+
+/// Those that every step of a vehicle code overrules, which is no contradiction: loads and torque.
+const KeySet& keys_overruled_by_steps();
+
+} // namespace wrc

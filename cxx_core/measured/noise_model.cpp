@@ -1,0 +1,499 @@
+#include "measured/noise_model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "base/error.hpp"
+
+namespace wrc {
+namespace {
+
+/// Lengths of correlated noise that are tried, mm.
+/// origin: reasoned: optical scanners average over 0.1 to 1 mm; wheels have longer waves.
+constexpr std::array correlations{0.3, 0.6, 1.2, 2.4};
+/// Points farther apart, mm, have independent noise.
+/// origin: bound: keeps the band narrow; at the longest correlation a half is left there.
+constexpr double uncorrelated_distance = 1.5;
+/// Noise is correlated if minus twice the logarithm of the likelihood falls by more than this.
+/// origin: reasoned: by chance it falls by 8 in one of 200 cases (chi squared of one freedom).
+constexpr double notable_gain = 8.0;
+/// Intensities where the data say nothing, mm^-3 and mm^-1; they count as this number of values.
+/// origin: measured (drivers/evidence/core/measure_noise.cpp): the treads of five wheels have 4e-7
+/// to 2e-4 and 1e-8 to 3e-4 at waves of 7 to 20 mm; 0.2 is less than one halved wave contributes.
+constexpr double usual_drift = 3e-6;
+constexpr double usual_waviness = 1e-5;
+constexpr double prior_count = 0.2;
+/// Half the neighbourhood of the drift in halved waves, bounds in mm; twice that for waviness.
+/// origin: measured (drivers/evidence/core/measure_noise.cpp): 0.75 to 1.2 waves make no difference
+/// among 300 samples; half as much leaves 91 instead of 96 of 100 truths within the spread.
+constexpr double neighbourhood = 1.0;
+constexpr double least_neighbourhood = 2.0;
+constexpr double greatest_neighbourhood = 20.0;
+constexpr double waviness_neighbourhoods = 2.0;
+constexpr double least_of_waviness = 6.0;
+/// Rounds of the fixed point, of a first fit and of one that begins with a fit.
+/// origin: measured: sigma settles to 1 % within 10 rounds, the likelihood within 30.
+constexpr int first_rounds = 40;
+constexpr int later_rounds = 12;
+/// How often weights follow the residuals.
+/// origin: bound: a line with kinks settles in two.
+constexpr int weightings = 3;
+/// Residuals beyond this many medians lose weight.
+/// origin: derived: three standard deviations of normal noise.
+constexpr double influence_limit = 3.0 * 1.4826;
+/// Change of logarithms at which it has settled.
+/// origin: reasoned: intensities enter wavelengths by their sixth root.
+constexpr double settled_variance = 0.02;
+constexpr double settled_intensity = 0.2;
+/// First intensities, with all scatter as noise and with a part of it; least variance, mm^2.
+/// origin: bound: changes no result that settles; 1e-10 mm is less than any rounding.
+constexpr double first_intensity = 1e-5;
+constexpr double rough_drift = 1.0;
+constexpr double rough_waviness = 1e-2;
+constexpr double rough_share = 1e-3;
+constexpr double least_variance = 1e-20;
+/// Points closer than this, mm, count as this far apart, lest equal places make a singular system.
+/// origin: bound: below the distance that readers leave between points.
+constexpr double least_distance = 1e-3;
+/// The residual's least share of the squares, against rounding; the least freedom of the noise.
+/// origin: bound.
+constexpr double least_residual = 1e-12;
+constexpr double least_freedom = 0.01;
+
+/// Four values of cubic B-splines.
+struct Row {
+  std::size_t first = 0;
+  std::array<double, 4> value{};
+};
+
+Row row_at(const SplineBasis& basis, double arc) {
+  const double place = std::clamp(arc, 0.0, basis.length) / basis.step();
+  Row row;
+  row.first = std::min(static_cast<std::size_t>(place), basis.intervals - 1);
+  const double t = place - static_cast<double>(row.first);
+  const double v = 1.0 - t;
+  row.value = {v * v * v / 6.0, (3.0 * t * t * t - 6.0 * t * t + 4.0) / 6.0,
+               (3.0 * v * v * v - 6.0 * v * v + 4.0) / 6.0, t * t * t / 6.0};
+  return row;
+}
+
+/// B' N^-1 B and so on, which do not depend on sigma and q.
+struct Sums {
+  BandMatrix matrix;
+  std::vector<double> right_side;
+  double squares = 0.0;
+  double log_determinant = 0.0; ///< of N
+  double count = 0.0;
+};
+
+/// A row of the whitened problem: entries from `first` on.
+struct WideRow {
+  std::size_t first = 0;
+  std::vector<double> value;
+  double offset = 0.0;
+};
+
+Sums sums_of(const SplineBasis& basis, const OffsetData& data, double correlation) {
+  const double reach = correlation > 0.0 ? uncorrelated_distance : 0.0;
+  const std::size_t width =
+      3 + (reach > 0.0 ? 1 + static_cast<std::size_t>(std::ceil(reach / basis.step())) : 0);
+  Sums sums{BandMatrix(basis.size(), width), std::vector<double>(basis.size(), 0.0)};
+  sums.count = static_cast<double>(data.arc.size());
+  Row before;
+  WideRow wide;
+  for (std::size_t i = 0; i < data.arc.size(); ++i) {
+    const Row row = row_at(basis, data.arc[i]);
+    const double distance = i > 0 ? data.arc[i] - data.arc[i - 1] : HUGE_VAL;
+    const double tie =
+        distance < reach ? std::exp(-std::max(distance, least_distance) / correlation) : 0.0;
+    const double variance = 1.0 - tie * tie;
+    const double scale = 1.0 / std::sqrt(variance);
+    wide.first = tie > 0.0 ? before.first : row.first;
+    wide.value.assign(row.first + 4 - wide.first, 0.0);
+    for (std::size_t k = 0; k < 4; ++k)
+      wide.value[row.first - wide.first + k] += scale * data.weight[i] * row.value[k];
+    wide.offset = scale * data.weight[i] * data.offset[i];
+    if (tie > 0.0) {
+      const double factor = scale * tie * data.weight[i - 1];
+      for (std::size_t k = 0; k < 4; ++k)
+        wide.value[k] -= factor * before.value[k];
+      wide.offset -= factor * data.offset[i - 1];
+    }
+    for (std::size_t a = 0; a < wide.value.size(); ++a) {
+      sums.right_side[wide.first + a] += wide.value[a] * wide.offset;
+      for (std::size_t b = 0; b <= a; ++b)
+        sums.matrix.at(wide.first + a, wide.first + b) += wide.value[a] * wide.value[b];
+    }
+    sums.squares += wide.offset * wide.offset;
+    sums.log_determinant += std::log(variance);
+    before = row;
+  }
+  return sums;
+}
+
+/// Where the unknowns are: coefficients and drifting curvatures by turns.
+std::size_t coefficient_index(std::size_t k) {
+  return 2 * k;
+}
+std::size_t drift_index(std::size_t knot) {
+  return 2 * knot + 3;
+}
+
+/// A sum of a few unknowns.
+template <std::size_t count> struct Combination {
+  std::array<std::size_t, count> index;
+  std::array<double, count> factor;
+
+  [[nodiscard]] double value(const std::vector<double>& unknowns) const {
+    double sum = 0.0;
+    for (std::size_t a = 0; a < count; ++a)
+      sum += factor[a] * unknowns[index[a]];
+    return sum;
+  }
+  /// Its variance under a covariance.
+  [[nodiscard]] double variance(const BandMatrix& covariance) const {
+    double sum = 0.0;
+    for (std::size_t a = 0; a < count; ++a)
+      for (std::size_t b = 0; b < count; ++b)
+        sum += factor[a] * factor[b] * covariance.value(index[a], index[b]);
+    return sum;
+  }
+  /// Adds weight * (combination - target)^2.
+  void add_to(BandMatrix& matrix, std::vector<double>& right_side, double weight,
+              double target) const {
+    for (std::size_t a = 0; a < count; ++a) {
+      right_side[index[a]] += weight * target * factor[a];
+      for (std::size_t b = 0; b < count; ++b)
+        if (index[b] <= index[a])
+          matrix.at(index[a], index[b]) += weight * factor[a] * factor[b];
+    }
+  }
+};
+
+/// A component of the prior: independent values, equally spaced, of variance intensity * unit.
+struct Component {
+  std::vector<double> intensity;
+  double unit = 1.0;
+  double usual = 0.0;
+  std::vector<double> square{}; ///< of the values, over unit
+  std::vector<double> known{};  ///< how much of it the data decide, 0 to 1
+};
+
+/// The fixed point of sigma and the intensities.
+class Fit {
+public:
+  Fit(const SplineBasis& basis, const Sums& sums, std::span<const double> curvature,
+      double mean_spacing, double correlation)
+      : basis_(basis), sums_(sums), curvature_(curvature), spacing_(mean_spacing),
+        correlation_(correlation) {
+    drift_.unit = basis.step();
+    drift_.usual = usual_drift;
+    waviness_.unit = 1.0 / basis.step();
+    waviness_.usual = usual_waviness;
+  }
+
+  void start(double variance, const std::vector<double>& drift,
+             const std::vector<double>& waviness) {
+    variance_ = variance;
+    drift_.intensity = drift;
+    waviness_.intensity = waviness;
+  }
+  void run(int rounds) {
+    bool settled = false;
+    for (int round = 0; round < rounds && !settled; ++round) {
+      solve();
+      settled = update();
+    }
+    solve();
+  }
+  /// -2 log of the restricted likelihood.
+  [[nodiscard]] double deviance() const {
+    double sum = sums_.count * std::log(variance_) + sums_.log_determinant +
+                 factor_->log_determinant() + residual() / variance_;
+    const auto add = [&](const Component& component, std::size_t j, double value) {
+      const double variance = component.intensity[j] * component.unit;
+      sum += std::log(variance) + value * value / variance;
+    };
+    for (std::size_t j = 0; j < basis_.intervals; ++j)
+      add(drift_, j, drift_at(j).value(unknowns_));
+    for (std::size_t j = 0; j <= basis_.intervals; ++j)
+      add(waviness_, j, waviness_at(j).value(unknowns_) + curvature_[j]);
+    return sum;
+  }
+  [[nodiscard]] double density() const {
+    return variance_ *
+           (correlation_ > 0.0 ? spacing_ / std::tanh(0.5 * spacing_ / correlation_) : spacing_);
+  }
+  [[nodiscard]] NoiseFit result() const {
+    NoiseFit fit;
+    fit.basis = basis_;
+    fit.deviation = std::sqrt(variance_);
+    fit.correlation = correlation_;
+    for (std::size_t k = 0; k < basis_.size(); ++k)
+      fit.coefficients.push_back(unknowns_[coefficient_index(k)]);
+    for (std::size_t j = 0; j < basis_.intervals; ++j)
+      fit.wavelength.push_back(wavelength_at(j));
+    fit.drift = drift_.intensity;
+    fit.waviness = waviness_.intensity;
+    fit.precision = factor_;
+    return fit;
+  }
+
+private:
+  [[nodiscard]] static Combination<2> drift_at(std::size_t j) {
+    return {{drift_index(j), drift_index(j + 1)}, {-1.0, 1.0}};
+  }
+  [[nodiscard]] Combination<4> waviness_at(std::size_t j) const {
+    const double scale = 1.0 / (basis_.step() * basis_.step());
+    return {
+        {coefficient_index(j), coefficient_index(j + 1), coefficient_index(j + 2), drift_index(j)},
+        {scale, -2.0 * scale, scale, -1.0}};
+  }
+  [[nodiscard]] double residual() const {
+    double sum = sums_.squares;
+    const std::size_t n = basis_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const double here = unknowns_[coefficient_index(i)];
+      double product = 0.0;
+      for (std::size_t k = i >= sums_.matrix.width() ? i - sums_.matrix.width() : 0;
+           k <= std::min(n - 1, i + sums_.matrix.width()); ++k)
+        product += sums_.matrix.value(i, k) * unknowns_[coefficient_index(k)];
+      sum += here * (product - 2.0 * sums_.right_side[i]);
+    }
+    return std::max(sum, std::max(least_residual * sums_.squares, least_variance * sums_.count));
+  }
+  void solve() {
+    const std::size_t n = basis_.size();
+    BandMatrix matrix(2 * n, std::max<std::size_t>(4, 2 * sums_.matrix.width()));
+    std::vector<double> right_side(2 * n, 0.0);
+    for (std::size_t j = 0; j < n; ++j) {
+      right_side[coefficient_index(j)] = sums_.right_side[j] / variance_;
+      for (std::size_t i = j; i <= std::min(n - 1, j + sums_.matrix.width()); ++i)
+        matrix.at(coefficient_index(i), coefficient_index(j)) = sums_.matrix.at(i, j) / variance_;
+    }
+    matrix.at(1, 1) = matrix.at(2 * n - 1, 2 * n - 1) = 1.0; // no unknowns
+    for (std::size_t j = 0; j < basis_.intervals; ++j)
+      drift_at(j).add_to(matrix, right_side, 1.0 / (drift_.intensity[j] * drift_.unit), 0.0);
+    for (std::size_t j = 0; j <= basis_.intervals; ++j)
+      waviness_at(j).add_to(matrix, right_side, 1.0 / (waviness_.intensity[j] * waviness_.unit),
+                            -curvature_[j]);
+    factor_ = std::make_shared<const BandCholesky>(std::move(matrix));
+    unknowns_ = factor_->solve(std::move(right_side));
+  }
+  /// New sigma and intensities; returns whether they have settled.
+  bool update() {
+    const BandMatrix covariance = factor_->inverse();
+    measure(
+        drift_, drift_.intensity.size(), [](std::size_t j) { return drift_at(j); },
+        [](std::size_t) { return 0.0; }, covariance);
+    measure(
+        waviness_, waviness_.intensity.size(), [this](std::size_t j) { return waviness_at(j); },
+        [this](std::size_t j) { return curvature_[j]; }, covariance);
+    std::vector<double> near_drift;
+    std::vector<double> near_waviness;
+    for (std::size_t j = 0; j < basis_.intervals; ++j) {
+      near_drift.push_back(std::clamp(neighbourhood * wavelength_at(j), least_neighbourhood,
+                                      greatest_neighbourhood));
+      near_waviness.push_back(
+          std::max(least_of_waviness, waviness_neighbourhoods * near_drift.back()));
+    }
+    near_waviness.push_back(near_waviness.back());
+    const double variance = residual() / freedom(covariance);
+    const double change = std::abs(std::log(variance / variance_));
+    variance_ = variance;
+    const double drift_change = average(drift_, near_drift);
+    const double waviness_change = average(waviness_, near_waviness);
+    return change < settled_variance && std::max(drift_change, waviness_change) < settled_intensity;
+  }
+  /// Points less the parameters that they decide.
+  [[nodiscard]] double freedom(const BandMatrix& covariance) const {
+    const std::size_t n = basis_.size();
+    double trace = 0.0;
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t i = j; i <= std::min(n - 1, j + sums_.matrix.width()); ++i)
+        trace += (i == j ? 1.0 : 2.0) * sums_.matrix.at(i, j) *
+                 covariance.at(coefficient_index(i), coefficient_index(j));
+    return std::max(sums_.count - trace / variance_, least_freedom * sums_.count);
+  }
+  /// A component's squares, and how much of each the data decide.
+  template <class At, class Constant>
+  void measure(Component& component, std::size_t count, const At& combination_at,
+               const Constant& constant, const BandMatrix& covariance) const {
+    component.square.resize(count);
+    component.known.resize(count);
+    for (std::size_t j = 0; j < count; ++j) {
+      const auto sum = combination_at(j);
+      const double value = sum.value(unknowns_) + constant(j);
+      const double variance = component.intensity[j] * component.unit;
+      component.square[j] = value * value / component.unit;
+      component.known[j] = std::clamp(1.0 - sum.variance(covariance) / variance, 0.0, 1.0);
+    }
+  }
+  /// New intensities, halfway (in logarithms) to the ratio of two averages over a neighbourhood: of
+  /// squares and of `known`. Returns the largest change of their logarithms.
+  [[nodiscard]] double average(Component& component, std::span<const double> half_lengths) const {
+    const std::size_t count = component.intensity.size();
+    std::vector<double> next(count);
+    double largest = 0.0;
+    for (std::size_t j = 0; j < count; ++j) {
+      const auto reach = static_cast<std::size_t>(half_lengths[j] / basis_.step());
+      double square = prior_count * component.usual;
+      double known = prior_count;
+      for (std::size_t k = j >= reach ? j - reach : 0; k <= std::min(count - 1, j + reach); ++k) {
+        const double weight =
+            1.0 - static_cast<double>(k > j ? k - j : j - k) / static_cast<double>(reach + 1);
+        square += weight * component.square[k];
+        known += weight * component.known[k];
+      }
+      next[j] = std::sqrt(component.intensity[j] * square / known);
+      largest = std::max(largest, std::abs(std::log(next[j] / component.intensity[j])));
+    }
+    component.intensity = std::move(next);
+    return largest;
+  }
+  /// Of the waves that prior and noise halve between them.
+  [[nodiscard]] double wavelength_at(std::size_t j) const {
+    const double number = std::max(std::pow(drift_.intensity[j] / density(), 1.0 / 6.0),
+                                   std::pow(waviness_.intensity[j] / density(), 1.0 / 4.0));
+    return 2.0 * std::numbers::pi / number;
+  }
+
+  const SplineBasis& basis_;
+  const Sums& sums_;
+  std::span<const double> curvature_;
+  double spacing_;
+  double correlation_;
+  double variance_ = 0.0;
+  Component drift_;
+  Component waviness_;
+  std::vector<double> unknowns_;
+  std::shared_ptr<const BandCholesky> factor_;
+};
+
+} // namespace
+
+double SplineBasis::value(std::span<const double> coefficients, double arc) const {
+  const Row row = row_at(*this, arc);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 4; ++k)
+    sum += row.value[k] * coefficients[row.first + k];
+  return sum;
+}
+
+std::vector<double> weights_of(std::span<const double> residuals) {
+  std::vector<double> sizes;
+  for (const double residual : residuals)
+    sizes.push_back(std::abs(residual));
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  const double limit = std::max(influence_limit * *middle, std::sqrt(least_variance));
+  std::vector<double> weights;
+  for (const double residual : residuals)
+    weights.push_back(std::sqrt(limit / std::max(limit, std::abs(residual))));
+  return weights;
+}
+
+std::vector<double> NoiseFit::residuals(const OffsetData& data) const {
+  std::vector<double> residuals;
+  for (std::size_t i = 0; i < data.arc.size(); ++i)
+    residuals.push_back(data.offset[i] - basis.value(coefficients, data.arc[i]));
+  return residuals;
+}
+
+std::vector<double> NoiseFit::draw(const std::function<double()>& normal) const {
+  std::vector<double> numbers(2 * coefficients.size());
+  for (double& number : numbers)
+    number = normal();
+  numbers = precision->solve_upper(std::move(numbers));
+  std::vector<double> drawn;
+  for (std::size_t k = 0; k < coefficients.size(); ++k)
+    drawn.push_back(coefficients[k] + numbers[coefficient_index(k)]);
+  return drawn;
+}
+
+namespace {
+
+/// Where the fixed point begins.
+struct Begin {
+  double variance = 0.0;
+  std::vector<double> drift;
+  std::vector<double> waviness;
+};
+
+/// All scatter is noise.
+Begin begin_smooth(const SplineBasis& basis, const OffsetData& data) {
+  double square = 0.0;
+  for (const double offset : data.offset)
+    square += offset * offset;
+  const double variance =
+      std::max(square / static_cast<double>(data.offset.size()), least_variance);
+  return {variance, std::vector<double>(basis.intervals, first_intensity),
+          std::vector<double>(basis.intervals + 1, first_intensity)};
+}
+
+/// Takes little of the differences from point to point as noise.
+Begin begin_rough(const SplineBasis& basis, const OffsetData& data) {
+  double square = 0.0;
+  for (std::size_t i = 1; i < data.offset.size(); ++i)
+    square += std::pow(data.offset[i] - data.offset[i - 1], 2);
+  const double variance =
+      std::max(rough_share * square / static_cast<double>(data.offset.size()), least_variance);
+  return {variance, std::vector<double>(basis.intervals, rough_drift),
+          std::vector<double>(basis.intervals + 1, rough_waviness)};
+}
+
+NoiseFit fit_from(const SplineBasis& basis, const OffsetData& data,
+                  std::span<const double> curvature, double correlation, const Begin& begin,
+                  int rounds) {
+  const double spacing = basis.length / static_cast<double>(data.arc.size());
+  const Sums sums = sums_of(basis, data, correlation);
+  Fit fit(basis, sums, curvature, spacing, correlation);
+  fit.start(begin.variance, begin.drift, begin.waviness);
+  fit.run(rounds);
+  NoiseFit result = fit.result();
+  result.deviance = fit.deviance();
+  return result;
+}
+
+Begin begin_with(const NoiseFit& fit) {
+  return {fit.deviation * fit.deviation, fit.drift, fit.waviness};
+}
+
+} // namespace
+
+NoiseFit fit_noise(const SplineBasis& basis, OffsetData data, std::span<const double> curvature) {
+  const Begin smooth = begin_smooth(basis, data);
+  NoiseFit best = fit_from(basis, data, curvature, 0.0, smooth, first_rounds);
+  const NoiseFit other =
+      fit_from(basis, data, curvature, 0.0, begin_rough(basis, data), first_rounds);
+  if (other.deviance < best.deviance)
+    best = other;
+  for (int i = 1; i < weightings; ++i) {
+    data.weight = weights_of(best.residuals(data));
+    best = fit_from(basis, data, curvature, 0.0, begin_with(best), later_rounds);
+  }
+  const double spacing = basis.length / static_cast<double>(data.arc.size());
+  for (const double correlation : correlations)
+    if (correlation > 0.5 * spacing) {
+      NoiseFit tried = fit_from(basis, data, curvature, correlation, smooth, first_rounds);
+      if (tried.deviance < best.deviance - notable_gain)
+        best = std::move(tried);
+    }
+  return best;
+}
+
+NoiseFit fit_again(const SplineBasis& basis, const OffsetData& data,
+                   std::span<const double> curvature, const NoiseFit& before) {
+  Begin begin{before.deviation * before.deviation, {}, {}};
+  for (std::size_t j = 0; j <= basis.intervals; ++j) { // their number may be another
+    begin.drift.push_back(before.drift[std::min(j, before.drift.size() - 1)]);
+    begin.waviness.push_back(before.waviness[std::min(j, before.waviness.size() - 1)]);
+  }
+  begin.drift.pop_back();
+  return fit_from(basis, data, curvature, before.correlation, begin, later_rounds);
+}
+
+} // namespace wrc

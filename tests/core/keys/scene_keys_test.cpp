@@ -1,0 +1,210 @@
+#include "keys/scene_keys.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+
+namespace wrc::test::scene_keys_test {
+namespace {
+
+/// The text of the error that a call throws; fails the test if it throws none.
+template <class Call> std::string error_text(Call&& call, ErrorCode code) {
+  try {
+    call();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), code) << error.what();
+    return error.what();
+  }
+  ADD_FAILURE() << "no error";
+  return {};
+}
+
+TEST(SceneKeys, DefaultsAreThePapersTable1) {
+  const Scene scene;
+  EXPECT_EQ(scene.left.wheel.name, "S1002");
+  EXPECT_EQ(scene.left.rail.name, "60E1");
+  EXPECT_EQ(scene.track.gauge, 1435.0);
+  EXPECT_EQ(scene.track.cant, std::atan(1.0 / 40.0));
+  EXPECT_EQ(scene.back_to_back, 1360.0);
+  EXPECT_EQ(scene.left.radius, 460.0);
+  EXPECT_EQ(scene.wheel_material.youngs_modulus, 210000.0);
+  EXPECT_EQ(scene.rail_material.poisson, 0.3);
+}
+
+TEST(SceneKeys, EveryKeyRefusesForbiddenValuesAndNamesAllowedOnes) {
+  for (const KeyDescription& key : scene_keys()) {
+    Scene scene;
+    const auto refuse_number = [&](double value) {
+      const std::string text =
+          error_text([&] { set_number(scene, key.name, value); }, ErrorCode::invalid_argument);
+      EXPECT_NE(text.find(key.name), std::string::npos) << text;
+      EXPECT_NE(text.find(key.allowed), std::string::npos) << text;
+    };
+    refuse_number(std::numeric_limits<double>::quiet_NaN());
+    refuse_number(1e300);
+    refuse_number(-1e300);
+    const std::string text =
+        error_text([&] { set_text(scene, key.name, ""); }, ErrorCode::invalid_argument);
+    EXPECT_NE(text.find(key.allowed), std::string::npos) << text;
+    const std::array<double, 5> five{1.0, 2.0, 3.0, 4.0, 5.0}; // more than any list has
+    error_text([&] { set_numbers(scene, key.name, five); }, ErrorCode::invalid_argument);
+  }
+}
+
+TEST(SceneKeys, RangesAreStatedInTheUnitsAndFrameOfTheCaller) {
+  struct Refused {
+    const char* key;
+    double value;
+    const char* text;
+  };
+  constexpr std::array<Refused, 7> refused{{
+      {"pose.lateral", 30.0, "pose.lateral = 30: allowed is -10 to 10 m"},
+      {"track.gauge", 1435.0, "track.gauge = 1435: allowed is 0.6 to 1.7 m"},
+      {"motion.speed", 2e4, "motion.speed = 20000: allowed is -1000 to 1000 m/s, or \"none\""},
+      {"material.youngs_modulus", 1e300, "allowed is 1e+06 to 1e+15 Pa"},
+      {"creepage.spin", 1e300, "allowed is -10000 to 10000 1/m, or \"none\""},
+      {"pose.yaw", 3.0, "pose.yaw = 3: allowed is -0.2 to 0.2 rad"},
+      // not a range alone: the value in mm beside the range in mm
+      {"track.rail_smoothing", 3.0,
+       "= 3 (in mm, N, MPa, y left, z up: 3000): allowed is \"auto\", or 0 (none) to 100 mm"},
+  }};
+  Scene scene;
+  scene.convention.units = Units::si;
+  for (const TrackFrame frame : {TrackFrame::left_up, TrackFrame::right_down}) {
+    scene.convention.frame = frame;
+    for (const Refused& one : refused) {
+      const std::string text =
+          error_text([&] { set_number(scene, one.key, one.value); }, ErrorCode::invalid_argument);
+      EXPECT_NE(text.find(one.text), std::string::npos) << text;
+    }
+    const std::string text =
+        error_text([&] { set_number(scene, "pose.vertical", 460.0); }, ErrorCode::invalid_argument);
+    EXPECT_EQ(text, frame == TrackFrame::left_up
+                        ? "pose.vertical = 460: allowed is \"solve\" or -10 to 20 m"
+                        : "pose.vertical = 460: allowed is \"solve\" or -20 to 10 m");
+  }
+}
+
+TEST(SceneKeys, AnUnknownKeyIsReportedWithTheNearestKeys) {
+  const std::array<std::pair<std::string, const char*>, 7> words{{
+      {"pose.latral", "pose.lateral"},
+      {"track_gage", "track.gauge"},
+      {"yaw", "pose.yaw motion.yaw"},
+      {"solve.accuracyof", "solve.accuracy_of"},
+      {"wheelset.back_to_back_distance", "wheelset.back_to_back"},
+      {"loads", "load.vertical load.left load.right"},
+      {std::string(1 << 20, 'y'), ""}, // and does not take a minute
+  }};
+  for (const auto& [word, nearest] : words) {
+    Scene scene;
+    const std::string text =
+        error_text([&, &word = word] { set_number(scene, word, 1.0); }, ErrorCode::unknown_name);
+    EXPECT_NE(text.find("unknown key " + word + "; nearest: " + nearest), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("; all are listed by wrc_scene_key"), std::string::npos) << text;
+    EXPECT_LT(text.size(), word.size() + 250) << text;
+  }
+}
+
+TEST(SceneKeys, ATextWhereANumberBelongsIsReportedAsOne) {
+  Scene scene;
+  const auto text_of_refusal = [&](const char* key, const char* value) {
+    return error_text([&] { set_text(scene, key, value); }, ErrorCode::invalid_argument);
+  };
+  EXPECT_EQ(text_of_refusal("pose.lateral", "5"),
+            "pose.lateral = \"5\": a text; write the number without quotes; allowed is -1e4 to "
+            "1e4 mm");
+  for (const char* wrong : {"5mm", "0,005", "-1.5.", "1e"}) {
+    EXPECT_EQ(text_of_refusal("pose.lateral", wrong),
+              "pose.lateral = \"" + std::string(wrong) +
+                  "\": not a number; allowed is -1e4 to 1e4 mm");
+  }
+  EXPECT_EQ(text_of_refusal("pose.lateral", "far"),
+            "pose.lateral = \"far\": allowed is -1e4 to 1e4 mm");
+  EXPECT_EQ(text_of_refusal("solve.side", "5"),
+            "solve.side = \"5\": allowed is \"both\", \"left\" or \"right\"");
+  set_text(scene, "convention.units", "SI");
+  EXPECT_EQ(text_of_refusal("pose.lateral", "5mm"),
+            "pose.lateral = \"5mm\": not a number; allowed is -10 to 10 m");
+}
+
+TEST(SceneKeys, AModelNoLongerThereNamesABetterOne) {
+  Scene scene;
+  const std::string text = error_text([&] { set_text(scene, "solve.creep", "fastsim-strips"); },
+                                      ErrorCode::invalid_argument);
+  EXPECT_NE(text.find("no longer there: \"full\" at solve.accuracy = 0.1"), std::string::npos)
+      << text;
+  EXPECT_FALSE(scene.creep);
+}
+
+TEST(SceneKeys, CantAsRatioOrAngle) {
+  Scene scene;
+  set_text(scene, "track.cant", "1:20");
+  EXPECT_EQ(scene.track.cant, std::atan(1.0 / 20.0));
+  set_text(scene, "track.cant", "-1:30");
+  EXPECT_EQ(scene.track.cant, -std::atan(1.0 / 30.0));
+  set_number(scene, "track.cant", 0.01);
+  EXPECT_EQ(scene.track.cant, 0.01);
+  for (const char* wrong : {"1:", "1:0", "1:2", "2:40", "1:40x", "x", "1:nan", "1:inf"}) {
+    error_text([&] { set_text(scene, "track.cant", wrong); }, ErrorCode::invalid_argument);
+  }
+  EXPECT_EQ(scene.track.cant, 0.01);
+}
+
+TEST(SceneKeys, LaterCallsReplaceEarlierOnesOfTheSameSubject) {
+  Scene scene;
+  set_number(scene, "load.normal", 5.0);
+  EXPECT_TRUE(scene.normal_load);
+  set_number(scene, "load.left", 7.0);
+  EXPECT_FALSE(scene.normal_load);
+  EXPECT_EQ(scene.left.load, 7.0);
+  EXPECT_EQ(scene.right.load, 80000.0);
+  set_number(scene, "load.vertical", 9.0);
+  EXPECT_EQ(scene.left.load, 9.0);
+  EXPECT_EQ(scene.right.load, 9.0);
+  const std::array<double, 2> grid{256.0, 128.0};
+  set_numbers(scene, "solve.grid", grid);
+  EXPECT_TRUE(scene.grid);
+  set_number(scene, "solve.accuracy", 1e-2);
+  EXPECT_FALSE(scene.grid);
+  set_number(scene, "pose.roll", 1e-3);
+  EXPECT_EQ(scene.roll, 1e-3);
+  set_text(scene, "pose.roll", "en15302");
+  EXPECT_EQ(scene.roll, 0.0);
+  set_text(scene, "pose.roll", "solve");
+  EXPECT_FALSE(scene.roll);
+}
+
+TEST(SceneKeys, FrictionByPositionNeedsPairsWithRisingPositions) {
+  Scene scene;
+  const std::vector<double> pairs{-25.0, 0.1, -10.0, 0.4};
+  set_numbers(scene, "friction.left_places", pairs);
+  EXPECT_EQ(std::get<std::vector<double>>(key_value(scene, "friction.left_places")), pairs);
+  EXPECT_EQ(scene.right.friction.places.size(), 0U);
+  EXPECT_EQ(key_value(scene, "friction.places").index(), 0U); // not the same on both sides
+  set_numbers(scene, "friction.places", pairs);
+  EXPECT_EQ(std::get<std::vector<double>>(key_value(scene, "friction.right_places")), pairs);
+  for (const std::vector<double>& wrong :
+       {std::vector{-25.0}, std::vector{-10.0, 0.1, -25.0, 0.4}, std::vector{0.0, -0.1},
+        std::vector{0.0, 10.5}, std::vector{-201.0, 0.3}}) {
+    error_text([&] { set_numbers(scene, "friction.places", wrong); }, ErrorCode::invalid_argument);
+  }
+  EXPECT_EQ(scene.left.friction.places.size(), 2U);
+  set_text(scene, "friction.places", "none");
+  EXPECT_EQ(scene.left.friction.places.size(), 0U);
+  EXPECT_EQ(std::get<std::string>(key_value(scene, "friction.places")), "none");
+}
+
+TEST(SceneKeys, GridCountsAreWholeNumbers) {
+  Scene scene;
+  for (const auto& wrong : {std::array{0.0, 4.0}, std::array{2.5, 4.0}, std::array{4.0, 1e9}}) {
+    error_text([&] { set_numbers(scene, "solve.grid", wrong); }, ErrorCode::invalid_argument);
+  }
+  error_text([&] { set_number(scene, "solve.threads", 1.5); }, ErrorCode::invalid_argument);
+}
+
+} // namespace
+} // namespace wrc::test::scene_keys_test

@@ -1,0 +1,179 @@
+/// Keys that were set and have no effect beside others are warned of, in whatever order.
+#include "keys/unused_keys.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "keys/scene_file.hpp"
+#include "keys/scene_keys.hpp"
+#include "scene/solve_scene.hpp"
+#include "scene/vehicle_step.hpp"
+
+namespace wrc::test::unused_keys_test {
+namespace {
+
+using Value = std::variant<double, std::string, std::vector<double>>;
+using Settings = std::vector<std::pair<std::string, Value>>;
+
+void set(Scene& scene, const std::string& key, const Value& value) {
+  if (const auto* number = std::get_if<double>(&value)) {
+    set_number(scene, key, *number);
+  } else if (const auto* text = std::get_if<std::string>(&value)) {
+    set_text(scene, key, *text);
+  } else {
+    set_numbers(scene, key, std::get<std::vector<double>>(value));
+  }
+}
+
+Scene scene_with(const Settings& settings) {
+  Scene scene;
+  for (const auto& [key, value] : settings) {
+    set(scene, key, value);
+  }
+  return scene;
+}
+
+std::vector<std::string> told(const Scene& scene) {
+  Warnings all;
+  const UnusedKeys unused(scene);
+  unused.append_to(all);
+  EXPECT_EQ(unused.count(), all.size());
+  std::vector<std::string> texts;
+  for (const Warning& warning : all) {
+    EXPECT_EQ(warning.kind, WarningClass::unused_key);
+    texts.push_back(warning.text);
+  }
+  return texts;
+}
+
+using Texts = std::vector<std::string>;
+const std::vector<double> creepages{0.001, 0.0, 0.0};
+
+TEST(UnusedKeys, OfTwoLoadsTheOneSetLastCounts) {
+  EXPECT_EQ(told(scene_with({{"load.vertical", 7e4}, {"load.normal", 8e4}})),
+            Texts{"load.vertical is not used: load.normal is set"});
+  EXPECT_EQ(told(scene_with({{"load.normal", 8e4}, {"load.left", 2e4}})),
+            Texts{"load.normal is not used: load.left is set"});
+  EXPECT_EQ(told(scene_with({{"load.left", 2e4}, {"load.normal", 8e4}})),
+            Texts{"load.left is not used: load.normal is set"});
+  EXPECT_EQ(told(scene_with({{"load.normal", 6e4}, {"load.total_vertical", 5e4}})),
+            Texts{"load.normal is not used: load.total_vertical is set"});
+  EXPECT_EQ(told(scene_with({{"load.total_vertical", 5e4}, {"load.normal", 6e4}})),
+            Texts{"load.total_vertical is not used: load.normal is set"});
+  EXPECT_EQ(told(scene_with({{"load.total_vertical", 5e4}, {"load.vertical", 6e4}})),
+            Texts{"load.total_vertical is not used: load.vertical is set"});
+  EXPECT_EQ(told(scene_with({{"load.right", 5e4}, {"load.total_right", 6e4}})),
+            Texts{"load.right is not used: load.total_right is set"});
+  EXPECT_EQ(told(scene_with({{"load.total_left", 5e4}, {"load.left", 6e4}})),
+            Texts{"load.total_left is not used: load.left is set"});
+}
+
+TEST(UnusedKeys, APrescribedHeightNeedsNoLoad) {
+  EXPECT_EQ(told(scene_with({{"pose.vertical", 459.8}, {"load.total_vertical", 7e4}})),
+            Texts{"load.total_vertical is not used: pose.vertical is set"});
+  EXPECT_EQ(
+      told(scene_with({{"load.vertical", 7e4}, {"load.left", 6e4}, {"pose.vertical", 459.8}})),
+      (Texts{"load.vertical is not used: pose.vertical is set",
+             "load.left is not used: pose.vertical is set"}));
+}
+
+TEST(UnusedKeys, CreepagesTakeThePlaceOfTheMotion) {
+  EXPECT_EQ(told(scene_with({{"motion.speed", 2e4},
+                             {"motion.pitch", "free"},
+                             {"motion.torque", 1e7},
+                             {"creepage.left", creepages}})),
+            (Texts{"motion.pitch is not used: creepage.left is set",
+                   "motion.torque is not used: creepage.left is set"}));
+  EXPECT_EQ(told(scene_with({{"motion.speed", 2e4}, {"motion.torque", 1e7}})),
+            Texts{"motion.torque is not used: motion.pitch is not \"free\""});
+}
+
+TEST(UnusedKeys, WearNeedsCreepForces) {
+  const Texts expected{"solve.results: no wear or fatigue without creep forces, which keys of "
+                       "creepage.* or motion.* "
+                       "request"};
+  EXPECT_EQ(told(scene_with({{"solve.results", "wear"}})), expected);
+  EXPECT_EQ(told(scene_with({{"solve.results", "stress fatigue"}})), expected);
+  EXPECT_EQ(
+      told(scene_with(
+          {{"solve.results", "wear"}, {"creepage.left", creepages}, {"solve.creep", "none"}})),
+      Texts{"solve.results: no wear or fatigue without creep forces, which solve.creep = \"none\" "
+            "leaves out"});
+  EXPECT_EQ(told(scene_with({{"solve.results", "stress"}})), Texts{});
+  EXPECT_EQ(told(scene_with({{"solve.results", "wear"}, {"creepage.left", creepages}})), Texts{});
+}
+
+TEST(UnusedKeys, FrictionAndGrid) {
+  const std::vector<double> places{-20.0, 0.1, 20.0, 0.4};
+  const std::vector<double> grid{32.0, 32.0};
+  EXPECT_EQ(told(scene_with({{"friction.coefficient", 0.2}, {"friction.places", places}})),
+            Texts{"friction.coefficient is not used: friction.places is set"});
+  EXPECT_EQ(told(scene_with({{"friction.places", places}, {"friction.coefficient", 0.2}})),
+            Texts{"friction.places is not used: friction.coefficient is set"});
+  EXPECT_EQ(told(scene_with({{"friction.coefficient", 0.2}, {"friction.left_places", places}})),
+            Texts{})
+      << "the right wheel has the coefficient";
+  EXPECT_EQ(told(scene_with({{"friction.coefficient", 0.2},
+                             {"friction.left_places", places},
+                             {"friction.right_places", places}})),
+            Texts{"friction.coefficient is not used: friction.left_places is set"});
+  EXPECT_EQ(told(scene_with({{"solve.grid", grid}, {"solve.accuracy", 1e-3}})),
+            Texts{"solve.grid is not used: solve.accuracy is set"})
+      << "also by the default";
+  EXPECT_EQ(told(scene_with({{"solve.grid", grid}, {"solve.accuracy", 0.01}})),
+            Texts{"solve.grid is not used: solve.accuracy is set"});
+}
+
+TEST(UnusedKeys, WhatAgreesOrIsUnsetIsNoneOfThem) {
+  EXPECT_EQ(told(Scene()), Texts{});
+  EXPECT_EQ(told(scene_with({{"load.vertical", 7e4}, {"load.left", 6e4}, {"pose.lateral", 3.0}})),
+            Texts{});
+  EXPECT_EQ(told(scene_with({{"load.total_vertical", 7e4}, {"load.total_left", 6e4}})), Texts{});
+  EXPECT_EQ(told(scene_with({{"load.normal", 7e4}, {"load.normal", "none"}, {"load.left", 6e4}})),
+            Texts{});
+  EXPECT_EQ(told(scene_with(
+                {{"load.vertical", 7e4}, {"pose.vertical", 459.8}, {"pose.vertical", "solve"}})),
+            Texts{});
+  EXPECT_EQ(told(scene_with({{"creepage.left", creepages}, {"motion.speed", 2e4}})), Texts{})
+      << "the speed is that of the frictional power";
+}
+
+TEST(UnusedKeys, AreWarningsOfAResultButNotOfAStep) {
+  Scene scene = scene_with({{"load.vertical", 7e4},
+                            {"motion.pitch", "free"},
+                            {"motion.torque", 1e6},
+                            {"solve.accuracy", 0.1}});
+  VehicleState state;
+  state.position = {0.0, 0.0, 459.9, 0.0, 0.0, 0.0};
+  state.velocity = {2e4, 0.0, 0.0, 0.0, 43.0, 0.0};
+  EXPECT_EQ(told(scene_at(scene, state)), Texts{}) << "a step has its own position and motion";
+
+  set_number(scene, "pose.vertical", 459.9);
+  SceneResult result = solve_scene(scene);
+  const Warnings all = all_warnings(result);
+  ASSERT_GE(all.size(), 1U);
+  EXPECT_EQ(all.front().text, "load.vertical is not used: pose.vertical is set");
+  EXPECT_EQ(number_value(result, "warning_count"), static_cast<double>(all.size()));
+}
+
+/// What a scene file holds of defaults sets nothing when it is read, and nothing is lost in it.
+TEST(UnusedKeys, ASceneFileKeepsWhatHasNoEffect) {
+  EXPECT_EQ(told(scene_with({{"load.vertical", 8e4},
+                             {"motion.torque", 0.0},
+                             {"load.normal", 5e4},
+                             {"creepage.left", creepages}})),
+            Texts{});
+  const Scene sides =
+      scene_with({{"load.vertical", 5e4}, {"load.left", 6e4}, {"pose.vertical", 459.7}});
+  EXPECT_NE(scene_text(sides).find("\nleft = 60000.0\nright = 50000.0\n"), std::string::npos);
+  EXPECT_NE(scene_text(scene_with({{"load.normal", 8e4}})).find("\n[load]\nvertical = 80000.0\n"),
+            std::string::npos);
+}
+
+} // namespace
+} // namespace wrc::test::unused_keys_test
