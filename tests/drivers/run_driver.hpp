@@ -16,6 +16,7 @@
 
 #include "extent.hpp"
 
+using wrc::test::by_extent;
 using wrc::test::some_of;
 
 struct Outcome {
