@@ -40,7 +40,7 @@ room mechanics base half_space pressure
 room rolling base half_space pressure mechanics
 room models base geometry patches
 room accuracy base patches remesh mechanics pressure
-room records base geometry damage remesh mechanics rolling accuracy
+room records base half_space damage geometry patches remesh mechanics rolling accuracy
 room creep base half_space pressure damage geometry patches remesh mechanics rolling accuracy records
 room wheel base half_space pressure damage geometry patches remesh mechanics models accuracy records
 room derivatives base half_space pressure geometry patches remesh mechanics records creep

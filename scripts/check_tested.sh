@@ -14,7 +14,7 @@ declarations=(
   records/rates.hpp
   records/slip_geometry.hpp
   records/wheel_solution.hpp
-  wheel/module.hpp         # an enumeration
+  records/module.hpp         # an enumeration
 )
 failures=0
 included=$(git ls-files -co --exclude-standard 'tests/core/*.cpp' 'tests/core/*.hpp' |

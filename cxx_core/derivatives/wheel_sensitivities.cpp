@@ -37,7 +37,7 @@ Planes find_planes(const WheelResult& side, std::span<const PatchResult* const> 
       search_contacts(*details.wheel, *details.rail, details.pose, depth, true);
   Planes planes;
   planes.moving = find_moving_patches(*details.wheel, *details.rail, details.pose, scan, depth,
-                                      details.joining_distance);
+                                      details.request.joining_distance);
   const auto& found = planes.moving.found.patches;
   for (const PatchResult* patch : patches) {
     const auto apart = [patch](const ContactPatch& place) {
@@ -72,12 +72,12 @@ void make_changing_influence(std::span<const SolvedPatch> solved, const WheelDet
     for (std::size_t l = 0; l < count; ++l) {
       double& rate = interaction.coupling_weight[k * count + l];
       rate = planes.moving.coupling_weight_rate(planes.index[k], planes.index[l],
-                                                details.interaction_rule)[motion];
+                                                details.request.interaction)[motion];
       any = any || rate != 0.0;
     }
   }
   if (any) {
-    change.emplace(solved, interaction, details.combined_modulus);
+    change.emplace(solved, interaction, details.request.combined_modulus);
   }
 }
 
@@ -147,7 +147,7 @@ motion_of_grid(const PatchResult& patch, const MovingPatches& moving, const Whee
   if (details.varies()) {
     return is_cut(patch) ? std::optional(ByMotion<ElementMotion>{}) : std::nullopt;
   }
-  if (moving.found.patches.size() > 1 || details.gap != GapConvention::tangent) {
+  if (moving.found.patches.size() > 1 || details.request.gap != GapConvention::tangent) {
     return std::nullopt;
   }
   return by_motion([&](std::size_t motion) {
@@ -221,20 +221,20 @@ WheelRates compute_rates(const WheelResult& side) {
         patch.frame, planes.moving.rates[planes.index[k]], details.rail->graph().heights()));
     loaded.push_back(
         {patch.frame, patch.grid, patch.pressure,
-         angle_rates_of(patch.frame, planes.moving.rates[planes.index[k]], details.gap),
+         angle_rates_of(patch.frame, planes.moving.rates[planes.index[k]], details.request.gap),
          by_motion(
              [&](std::size_t motion) { return dot(reference[motion], patch.frame.longitudinal); }),
          patch.undeformed_distance, patch.row_scales,
          motion_of_grid(patch, planes.moving, details)});
-    solved.push_back({patch.grid, patch.pressure, details.elements});
+    solved.push_back({patch.grid, patch.pressure, details.request.elements});
   }
   SensitivityRequest request;
-  request.combined_modulus = details.combined_modulus;
-  request.elements = details.elements;
+  request.combined_modulus = details.request.combined_modulus;
+  request.elements = details.request.elements;
   request.tolerance = sensitivity_tolerance;
   std::optional<CoupledInfluence> influence;
   if (details.interaction) {
-    influence.emplace(solved, *details.interaction, details.combined_modulus);
+    influence.emplace(solved, *details.interaction, details.request.combined_modulus);
     request.influence = &*influence;
   }
   ByMotion<std::optional<CoupledInfluence>> changes;

@@ -20,8 +20,8 @@
 #include "profile/profile.hpp"
 #include "profile/readers.hpp"
 #include "records/damage_result.hpp"
+#include "records/wheel_request.hpp"
 #include "scene/convention.hpp"
-#include "wheel/wheel_request.hpp"
 
 namespace wrc {
 

@@ -13,8 +13,8 @@
 #pragma once
 
 #include "geometry/wheelset_equilibrium.hpp"
+#include "records/wheel_request.hpp"
 #include "records/wheel_solution.hpp"
-#include "wheel/wheel_request.hpp"
 
 namespace wrc {
 

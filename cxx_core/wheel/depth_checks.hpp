@@ -19,7 +19,7 @@
 
 #include "accuracy/grid_solution.hpp"
 #include "base/warning.hpp"
-#include "wheel/wheel_request.hpp"
+#include "records/wheel_request.hpp"
 
 namespace wrc {
 

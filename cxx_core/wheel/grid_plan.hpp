@@ -14,7 +14,7 @@
 #include "accuracy/grid_solution.hpp"
 #include "accuracy/resolution.hpp"
 #include "geometry/wheelset_equilibrium.hpp"
-#include "wheel/wheel_request.hpp"
+#include "records/wheel_request.hpp"
 
 namespace wrc {
 

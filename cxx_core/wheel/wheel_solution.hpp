@@ -34,8 +34,8 @@
 
 #include "geometry/wheelset_equilibrium.hpp"
 #include "mechanics/normal_solver.hpp"
+#include "records/wheel_request.hpp"
 #include "records/wheel_solution.hpp"
-#include "wheel/wheel_request.hpp"
 
 namespace wrc {
 

@@ -133,7 +133,7 @@ void warn_of_patches(const WheelRequest& request, WheelSolution& result) {
 }
 
 void warn_of_pressure(WheelResult& wheel) {
-  if (!(wheel.pmax > hardest_steel) || wheel.details.combined_modulus > stiffest_steel) {
+  if (!(wheel.pmax > hardest_steel) || wheel.details.request.combined_modulus > stiffest_steel) {
     return;
   }
   const auto pressed = std::max_element(

@@ -7,9 +7,9 @@
 #pragma once
 
 #include "accuracy/grid_solution.hpp"
+#include "records/wheel_request.hpp"
 #include "records/wheel_result.hpp"
 #include "records/wheel_solution.hpp"
-#include "wheel/wheel_request.hpp"
 
 namespace wrc {
 

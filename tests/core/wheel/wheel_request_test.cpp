@@ -1,5 +1,5 @@
 // Which of the three is prescribed: a vertical load, a normal load, a position.
-#include "wheel/wheel_request.hpp"
+#include "records/wheel_request.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,8 @@
 #include "accuracy/constants.hpp"
 #include "half_space/influence_coefficients.hpp"
 #include "patches/contact_patch.hpp"
+#include "records/module.hpp"
 #include "remesh/undeformed_distance.hpp"
-#include "wheel/module.hpp"
 
 namespace wrc {
 
