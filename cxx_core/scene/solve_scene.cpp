@@ -12,8 +12,8 @@
 #include "scene/surface_cache.hpp"
 #include "scene/total_load.hpp"
 #include "wheel/contact_damage.hpp"
-#include "wheel/wheel_result.hpp"
-#include "wheel/wheel_solution.hpp"
+#include "wheel/make_wheel_result.hpp"
+#include "wheel/solve_wheel.hpp"
 #include "wheel/wheel_state.hpp"
 #include "wheel/wheel_warnings.hpp"
 

@@ -1,4 +1,4 @@
-#include "derivatives/wheel_sensitivities.hpp"
+#include "derivatives/wheel_rates.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 #include "creep/rolling_frame.hpp"
 #include "derivatives/constants.hpp"
 #include "derivatives/gap_rates.hpp"
+#include "derivatives/patch_rates.hpp"
 #include "derivatives/plane_rates.hpp"
-#include "derivatives/sensitivities.hpp"
 #include "geometry/contact_search.hpp"
 #include "mechanics/coupled_influence.hpp"
 #include "patches/constants.hpp"
@@ -247,7 +247,7 @@ WheelRates compute_rates(const WheelResult& side) {
   InfluenceCache cache;
   ContactStiffness stiffness(cache);
   const PosedPair pair = details.pair();
-  WheelSensitivity found = compute_sensitivities(pair, loaded, request, stiffness);
+  WheelSensitivity found = compute_patch_rates(pair, loaded, request, stiffness);
   if (details.varies()) { // not known from planes: the reference goes with the elements
     for (std::size_t k = 0; k < patches.size(); ++k) {
       const ContactFrame& plane = loaded[k].frame;
@@ -285,7 +285,7 @@ bool is_finite(const ForceRates& rates) {
 
 } // namespace
 
-std::optional<WheelRates> sensitivities_of(const WheelResult& side) {
+std::optional<WheelRates> wheel_rates_of(const WheelResult& side) {
   // Above the first touch, where a solution that fails may end, no planes are found.
   if (side.patches.empty() || !side.solved || side.validity || !(side.depth > 0.0)) {
     return std::nullopt;

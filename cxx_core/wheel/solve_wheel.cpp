@@ -1,4 +1,4 @@
-#include "wheel/wheel_solution.hpp"
+#include "wheel/solve_wheel.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -20,6 +20,6 @@ namespace wrc {
 
 /// None without contact, for an approximate model, or where a solution that has not settled gives
 /// no numbers.
-std::optional<WheelRates> sensitivities_of(const WheelResult& side);
+std::optional<WheelRates> wheel_rates_of(const WheelResult& side);
 
 } // namespace wrc

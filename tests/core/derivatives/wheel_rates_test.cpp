@@ -5,7 +5,7 @@
 /// sensitivity is that of the elements as they are, which also shows as scatter between steps.
 /// Besides, it leaves out what a turning plane changes in gaps and areas and that the boundary
 /// between two patches moves, which matters where they are about to join.
-#include "derivatives/wheel_sensitivities.hpp"
+#include "derivatives/wheel_rates.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@
 #include "support/simple_profiles.hpp"
 #include "support/varying_contact.hpp"
 
-namespace wrc::test::wheel_sensitivities_test {
+namespace wrc::test::wheel_rates_test {
 namespace {
 
 /// Distance of the wheelset's centre from the contact, mm: a turn moves it by so much more.
@@ -75,7 +75,7 @@ TEST_P(SideSensitivities, AreThoseOfTheWholeScene) {
   const Scene scene = scene_of(c);
   SceneResult here = solve_scene(scene);
   ASSERT_EQ(solved_patches(*here.left).size(), c.patches);
-  const std::optional<WheelRates> rates = sensitivities_of(*here.left);
+  const std::optional<WheelRates> rates = wheel_rates_of(*here.left);
   ASSERT_TRUE(rates);
 
   const std::array<Vector3, 4> found{rates->force.lateral.force, rates->force.vertical.force,
@@ -161,7 +161,7 @@ TEST(SideSensitivitiesAtTheEndOfARail, AreThoseOfTheWholeScene) {
       request.vertical = height + by;
       return solve_left(bodies, request);
     };
-    const std::optional<WheelRates> rates = sensitivities_of(solved_at(0.0));
+    const std::optional<WheelRates> rates = wheel_rates_of(solved_at(0.0));
     ASSERT_TRUE(rates) << end;
     const double difference =
         (solved_at(longest_step).force.z - solved_at(-longest_step).force.z) / (2.0 * longest_step);
@@ -187,7 +187,7 @@ TEST(SideSensitivitiesAtTheEndOfARail, AreThoseOfElementsThatStayWhereItVaries) 
       request.vertical = under.vertical - under.depth + by;
       return solve_left(bodies, request);
     };
-    const std::optional<WheelRates> rates = sensitivities_of(solved_at(0.0));
+    const std::optional<WheelRates> rates = wheel_rates_of(solved_at(0.0));
     ASSERT_TRUE(rates) << end;
     double products = 0.0;
     double squares = 0.0;
@@ -214,7 +214,7 @@ TEST(SideSensitivitiesByName, AreAbsentWithoutContact) {
   Scene scene;
   scene.vertical = 500.0;
   SceneResult result = solve_scene(scene);
-  EXPECT_FALSE(sensitivities_of(*result.left));
+  EXPECT_FALSE(wheel_rates_of(*result.left));
   EXPECT_FALSE(number_value(result, "left.sensitivities.pressure_force.y.lateral"));
   for (const std::string& name : number_names(result)) {
     EXPECT_EQ(name.find("sensitivities"), std::string::npos) << name;
@@ -222,4 +222,4 @@ TEST(SideSensitivitiesByName, AreAbsentWithoutContact) {
 }
 
 } // namespace
-} // namespace wrc::test::wheel_sensitivities_test
+} // namespace wrc::test::wheel_rates_test

@@ -1,4 +1,4 @@
-#include "wheel/wheel_result.hpp"
+#include "wheel/make_wheel_result.hpp"
 
 #include <algorithm>
 #include <cmath>
