@@ -37,7 +37,7 @@ Planes find_planes(const WheelResult& side, std::span<const PatchResult* const> 
       search_contacts(*details.wheel, *details.rail, details.pose, depth, true);
   Planes planes;
   planes.moving = find_moving_patches(*details.wheel, *details.rail, details.pose, scan, depth,
-                                      details.request.joining_distance);
+                                      details.request);
   const auto& found = planes.moving.found.patches;
   for (const PatchResult* patch : patches) {
     const auto apart = [patch](const ContactPatch& place) {

@@ -54,6 +54,13 @@ enum class Interaction {
   near ///< those close to each other, by their links
 };
 
+/// How patches are found, and which of them interact.
+struct PatchOptions {
+  /// d_j of contact_patches.hpp, mm; 0: patches are close by their own widths alone.
+  double joining_distance = 4.0;
+  Interaction interaction = Interaction::all;
+};
+
 struct ContactPatches {
   std::vector<ContactPatch> patches; ///< ordered by y, never empty
   std::vector<double> links;         ///< how close each one and the next are: 0 to 1, joined

@@ -49,8 +49,8 @@ TEST_P(PlaneRatesOf, AreThoseOfCentralDifferences) {
   const ContactScan scan = search_contacts(wheel, rail, pose, 0.0, true);
   const double height = -scan.candidates.front().distance - c.depth;
   const MovingPatches moving =
-      find_moving_patches(wheel, rail, pose, scan, c.depth, c.joining_distance);
-  const ContactPatches plain = find_contact_patches(scan, c.depth, c.joining_distance);
+      find_moving_patches(wheel, rail, pose, scan, c.depth, {c.joining_distance});
+  const ContactPatches plain = find_contact_patches(scan, c.depth, {c.joining_distance});
   ASSERT_EQ(moving.found.patches.size(), plain.patches.size());
   ASSERT_EQ(moving.rates.size(), plain.patches.size());
   for (std::size_t k = 0; k < plain.patches.size(); ++k) {
@@ -77,7 +77,7 @@ TEST_P(PlaneRatesOf, AreThoseOfCentralDifferences) {
                          : at.yaw) += sign * (motion < 2 ? steps[i] : steps[i] / arm);
           const ContactScan moved = search_contacts(wheel, rail, at, 0.0, true);
           return find_contact_patches(moved, -moved.candidates.front().distance - z,
-                                      c.joining_distance);
+                                      {c.joining_distance});
         };
         ahead[i] = found(1.0);
         behind[i] = found(-1.0);

@@ -210,7 +210,7 @@ TEST(ContactPatches, TurnAndInteractByTheirDistanceInMillimetres) {
     const double border = 14.0 + 0.5 * distance;
     const auto slope = [border](double y) { return y < border ? 0.0 : std::tan(0.1); };
     return find_contact_patches(bowls({{10.0, 0.0}, {16.0 + distance, 0.06}}, slope), depth,
-                                joining_distance);
+                                {joining_distance});
   };
   for (const double distance : {4.0, 4.4, 4.7, 5.2}) {
     SCOPED_TRACE(distance);
@@ -246,7 +246,7 @@ TEST(ContactPatches, TurnAndInteractByTheirDistanceInMillimetres) {
 TEST(ContactPatches, DistanceDoesNotTurnPlanesThatDifferMuch) {
   const auto bend = [](double y) { return y < 16.0 ? 0.0 : std::tan(0.4); };
   const ContactScan scan = bowls({{10.0, 0.0}, {20.0, 0.0}}, bend);
-  const ContactPatches near = find_contact_patches(scan, 0.08, 10.0);
+  const ContactPatches near = find_contact_patches(scan, 0.08, {10.0});
   const ContactPatches alone = find_contact_patches(scan, 0.08);
   ASSERT_EQ(near.patches.size(), 2u);
   for (std::size_t k = 0; k < 2; ++k) {
