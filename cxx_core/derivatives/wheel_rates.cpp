@@ -10,7 +10,6 @@
 #include "derivatives/gap_rates.hpp"
 #include "derivatives/patch_rates.hpp"
 #include "derivatives/plane_rates.hpp"
-#include "geometry/contact_search.hpp"
 #include "mechanics/coupled_influence.hpp"
 #include "patches/constants.hpp"
 #include "remesh/met_distance.hpp"
@@ -18,35 +17,28 @@
 namespace wrc {
 namespace {
 
-/// The planes of a side as they were found, once more.
+/// The planes at the depth found, beside which they were planned.
 struct Planes {
   MovingPatches moving;
   std::vector<std::size_t> index; ///< of each patch of the result
 };
 
-Planes find_planes(const WheelResult& side, std::span<const PatchResult* const> patches) {
-  const WheelDetails& details = side.details;
+Planes find_planes(const WheelDetails& details, std::span<const PatchResult* const> patches) {
   if (details.varies()) { // planes and elements stay where they are
     Planes planes;
     planes.moving.rates.resize(1);
     planes.index.assign(patches.size(), 0);
     return planes;
   }
-  const double depth = side.vertical - details.vertical;
-  const ContactScan scan =
-      search_contacts(*details.wheel, *details.rail, details.pose, depth, true);
   Planes planes;
-  planes.moving = find_moving_patches(*details.wheel, *details.rail, details.pose, scan, depth,
-                                      details.request);
+  planes.moving = find_moving_patches(*details.wheel, *details.rail, details.pose,
+                                      details.source.scan, details.source.depth, details.request);
   const auto& found = planes.moving.found.patches;
   for (const PatchResult* patch : patches) {
     const auto apart = [patch](const ContactPatch& place) {
       return std::abs(place.mean_y - patch->frame.origin.y);
     };
-    const auto nearest =
-        std::min_element(found.begin(), found.end(), [&apart](const auto& one, const auto& other) {
-          return apart(one) < apart(other);
-        });
+    const auto nearest = std::ranges::min_element(found, {}, apart);
     planes.index.push_back(static_cast<std::size_t>(nearest - found.begin()));
   }
   return planes;
@@ -211,7 +203,7 @@ ByMotion<double> angle_rates_of(const ContactFrame& frame, const PlaneRates& pla
 WheelRates compute_rates(const WheelResult& side) {
   const WheelDetails& details = side.details;
   const std::vector<const PatchResult*> patches = solved_patches(side);
-  const Planes planes = find_planes(side, patches);
+  const Planes planes = find_planes(details, patches);
   std::vector<LoadedPatch> loaded;
   std::vector<ByMotion<Vector3>> references;
   std::vector<SolvedPatch> solved;

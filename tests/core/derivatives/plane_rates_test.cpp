@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "profile/standard_profiles.hpp"
+#include "support/search_contacts.hpp"
 
 namespace wrc::test::plane_rates_test {
 namespace {
@@ -46,7 +47,7 @@ TEST_P(PlaneRatesOf, AreThoseOfCentralDifferences) {
   const WheelSurface wheel(standard_profile(c.wheel), {back_to_back, 70.0, 460.0});
   const RailSurface rail(standard_profile(c.rail), {1435.0, 14.0, std::atan(0.025)});
   const Pose pose{c.lateral, c.yaw, c.roll};
-  const ContactScan scan = search_contacts(wheel, rail, pose, 0.0, true);
+  const ContactScan scan = search_contacts(wheel, rail, pose, 0.0);
   const double height = -scan.candidates.front().distance - c.depth;
   const MovingPatches moving =
       find_moving_patches(wheel, rail, pose, scan, c.depth, {c.joining_distance});
@@ -75,7 +76,7 @@ TEST_P(PlaneRatesOf, AreThoseOfCentralDifferences) {
            : motion == 1 ? z
            : motion == 2 ? at.roll
                          : at.yaw) += sign * (motion < 2 ? steps[i] : steps[i] / arm);
-          const ContactScan moved = search_contacts(wheel, rail, at, 0.0, true);
+          const ContactScan moved = search_contacts(wheel, rail, at, 0.0);
           return find_contact_patches(moved, -moved.candidates.front().distance - z,
                                       {c.joining_distance});
         };

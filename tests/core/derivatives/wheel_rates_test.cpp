@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/solve_scene.hpp"
+#include "support/search_contacts.hpp"
 #include "support/simple_profiles.hpp"
 #include "support/varying_contact.hpp"
 
@@ -198,6 +199,26 @@ TEST(SideSensitivitiesAtTheEndOfARail, AreThoseOfElementsThatStayWhereItVaries) 
     }
     const double slope = products / squares;
     EXPECT_NEAR(rates->force.vertical.force.z, slope, tolerance * std::abs(slope)) << end;
+  }
+}
+
+/// The part of the contact search that a result keeps gives the patches that the whole search
+/// gives.
+TEST(SideSensitivitiesUnderLoad, StandOnThePatchesAtTheDepthFound) {
+  for (const double lateral : {0.0, 3.0, 5.0, 6.4}) {
+    Scene scene;
+    scene.lateral = lateral;
+    scene.yaw = 0.01;
+    scene.left.rail.name = scene.right.rail.name = "UIC60-Manchester";
+    const SceneResult solved = solve_scene(scene);
+    const WheelDetails& details = solved.left->details;
+    const ContactScan whole =
+        search_contacts(*details.wheel, *details.rail, details.pose, solved.left->depth);
+    EXPECT_EQ(
+        find_contact_patches(details.source.scan, details.source.depth, details.request).patches,
+        find_contact_patches(whole, details.source.depth, details.request).patches)
+        << lateral;
+    EXPECT_NEAR(details.source.depth, solved.left->depth, 1e-12);
   }
 }
 
