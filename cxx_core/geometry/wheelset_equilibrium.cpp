@@ -116,7 +116,7 @@ public:
       return varying_->scans(near_tolerance);
     }
     std::vector<ContactScan> scans;
-    scans.push_back(contacts_of(*constant_, near_tolerance, true));
+    scans.push_back(contacts_of(*constant_, near_tolerance));
     return scans;
   }
 

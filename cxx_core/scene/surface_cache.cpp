@@ -109,7 +109,8 @@ std::shared_ptr<const WheelSurface> surface_of(const Profile& profile,
 }
 
 /// Throws for what slices cannot be read with.
-void check_slices(const ProfileChoice& choice, ProfileKind kind, const std::string& key) {
+void check_slices(const ProfileChoice& choice, const ProfilePlacement& placement, ProfileKind kind,
+                  const std::string& key) {
   const char last = choice.name.back();
   if ((last == 's' || last == 'S') != (kind == ProfileKind::rail)) {
     throw_invalid_argument(key, choice.name,
@@ -118,19 +119,19 @@ void check_slices(const ProfileChoice& choice, ProfileKind kind, const std::stri
                                : "these are slices of a rail; allowed are those of a wheel, .slcw");
   }
   const std::string allowed = "not allowed with slices, whose place their list gives";
-  if (choice.origin != WheelOrigin::by_file) {
+  if (placement.origin != WheelOrigin::by_file) {
     throw_invalid_argument("wheelset.profile_origin",
-                           choice.origin == WheelOrigin::tape ? "\"tape\"" : "\"flange-back\"",
+                           placement.origin == WheelOrigin::tape ? "\"tape\"" : "\"flange-back\"",
                            allowed);
   }
-  if (choice.shift != 0.0) {
-    throw_invalid_argument("wheelset.profile_shift", choice.shift, allowed);
+  if (placement.lateral_shift != 0.0) {
+    throw_invalid_argument("wheelset.profile_shift", placement.lateral_shift, allowed);
   }
-  if (choice.rotation) {
-    throw_invalid_argument("wheelset.profile_rotation", *choice.rotation, allowed);
+  if (placement.rotation) {
+    throw_invalid_argument("wheelset.profile_rotation", *placement.rotation, allowed);
   }
-  if (!choice.align_to.empty()) {
-    throw_invalid_argument("wheelset.align_to", choice.align_to, allowed);
+  if (!placement.align_to.empty()) {
+    throw_invalid_argument("wheelset.align_to", placement.align_to, allowed);
   }
 }
 
@@ -163,7 +164,7 @@ std::shared_ptr<const Surface>
 surface_of_slices(const SurfaceSource<Dimensions>& source, ProfileKind kind, const std::string& key,
                   std::vector<std::string>& corrections, Warnings& warnings) {
   const std::string& name = source.profile.name;
-  check_slices(source.profile, kind, key);
+  check_slices(source.profile, source.placement, kind, key);
   ReadOptions options;
   options.kind = kind;
   options.smoothing_wavelength = source.profile.smoothing.value_or(automatic_smoothing);
@@ -211,12 +212,7 @@ Profile load_profile(const SurfaceSource<Dimensions>& source, ProfileKind kind,
   ReadOptions options;
   options.kind = kind;
   options.smoothing_wavelength = choice.smoothing.value_or(automatic_smoothing);
-  options.origin = choice.origin;
-  options.rotation = choice.rotation;
-  options.align_to = choice.align_to;
-  if (choice.shift != 0.0) {
-    options.lateral_shift = choice.shift;
-  }
+  static_cast<ProfilePlacement&>(options) = source.placement;
   set_tape_offset(options, source.dimensions);
   return read_file(choice, options, kind, key, corrections);
 }
@@ -284,14 +280,11 @@ SceneSurfaces SurfaceCache::get(const Scene& scene) {
     };
     const bool is_solved = scene.side == SideChoice::both || scene.side == which;
     SideSurfaces found;
-    ProfileChoice wheel = side.wheel;
-    wheel.origin = scene.profile_origin;
-    wheel.shift = scene.profile_shift;
-    wheel.rotation = scene.profile_rotation;
-    wheel.align_to = scene.align_to;
-    found.wheel = get_one(wheels_, {wheel, {scene.back_to_back, scene.tape_offset, side.radius}},
-                          ProfileKind::wheel, key(&SceneSide::wheel, "wheelset.", "wheel"), which,
-                          is_solved, found.likely_wheels, surfaces);
+    found.wheel = get_one(
+        wheels_,
+        {side.wheel, {scene.back_to_back, scene.tape_offset, side.radius}, scene.wheel_placement},
+        ProfileKind::wheel, key(&SceneSide::wheel, "wheelset.", "wheel"), which, is_solved,
+        found.likely_wheels, surfaces);
     found.rail = get_one(rails_, {side.rail, scene.track}, ProfileKind::rail,
                          key(&SceneSide::rail, "track.", "rail"), which, is_solved,
                          found.likely_rails, surfaces);

@@ -25,7 +25,10 @@ public:
       : wheel_(wheel), rail_(rail), equilibrium_(equilibrium), request_(request), model_(model),
         strips_(wheel, rail, equilibrium.pose), side_{equilibrium.scan, strips_,
                                                       equilibrium.vertical,
-                                                      request.combined_modulus} {}
+                                                      request.combined_modulus} {
+    result_.request = request;
+    result_.request.elements = Elements::constant; // models give pressures at points
+  }
 
   WheelSolution solve();
 
@@ -225,8 +228,6 @@ WheelSolution ApproximateWheel::solve() {
   settle_depth();
   result_.depth = depth_;
   result_.vertical = equilibrium_.vertical - depth_;
-  result_.combined_modulus = request_.combined_modulus;
-  result_.gap = request_.gap;
   if (!request_.position_is_prescribed()) {
     result_.load = request_.load();
   }

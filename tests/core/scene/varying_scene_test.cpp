@@ -420,7 +420,7 @@ TEST_F(VaryingScene, RefusesWhatSlicesAndWavesCannotHave) {
   expect_error(ErrorCode::invalid_argument, solve, "those of a wheel");
   scene = Scene();
   scene.left.wheel.name = scene.right.wheel.name = wheel_with_flat();
-  scene.profile_shift = 1.0;
+  scene.wheel_placement.lateral_shift = 1.0;
   expect_error(ErrorCode::invalid_argument, solve, "profile_shift");
   scene = Scene();
   scene.left.wheel.harmonics = {{700, 0.02, 0.0}};

@@ -92,9 +92,9 @@ Vector3 force_over_plane(const WheelResult& wheel, double turn) {
   const PatchGap gap{grid, distance, 1.0, {}, {}, angles};
   NormalProblem problem;
   problem.patches = {&gap, 1};
-  problem.combined_modulus = wheel.details.combined_modulus;
+  problem.combined_modulus = wheel.details.request.combined_modulus;
   problem.approach = 0.0;
-  problem.elements = wheel.details.elements;
+  problem.elements = wheel.details.request.elements;
   return rail.force(NormalSolver().solve(problem).patches[0].pressure).force;
 }
 

@@ -74,9 +74,9 @@ Vector3 force_in_plane(const WheelResult& wheel, double turn) {
   const PatchGap gap{grid, distance};
   NormalProblem problem;
   problem.patches = {&gap, 1};
-  problem.combined_modulus = wheel.details.combined_modulus;
+  problem.combined_modulus = wheel.details.request.combined_modulus;
   problem.approach = 0.0;
-  problem.elements = wheel.details.elements;
+  problem.elements = wheel.details.request.elements;
   const NormalSolution solution = NormalSolver().solve(problem);
   return rail.force(times_scales(grid, scales, solution.patches[0].pressure)).force;
 }

@@ -1,4 +1,4 @@
-#include "wheel/wheel_solution.hpp"
+#include "wheel/solve_wheel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +59,9 @@ public:
                                request.elements,
                                request.creep_forces,
                                request.stresses,
-                               request.accuracy_of == AccuracyOf::forces && !request.stresses} {}
+                               request.accuracy_of == AccuracyOf::forces && !request.stresses} {
+    result_.request = request;
+  }
 
   WheelSolution solve();
 
@@ -375,11 +377,6 @@ void WheelSolver::publish(GridSolution solution) {
   result_.depth = solution.depth;
   result_.vertical = equilibrium_.vertical - solution.depth;
   result_.peak_pressure = solution.peak_pressure();
-  result_.combined_modulus = request_.combined_modulus;
-  result_.elements = request_.elements;
-  result_.gap = request_.gap;
-  result_.interaction_rule = request_.interaction;
-  result_.joining_distance = request_.joining_distance;
   result_.stop_reason = solution.stop_reason;
   const std::vector<PlanePatches> planes = solution.patches_by_plane(result_.solved);
   std::vector<std::size_t> order;
@@ -443,6 +440,7 @@ WheelSolution WheelSolver::solve() {
                    result_);
   warn_of_limit();
   publish(std::move(solution));
+  result_.source = source_of_patches(equilibrium_.scan, equilibrium_.vertical - result_.vertical);
   warn_of_patches(request_, result_);
   return std::move(result_);
 }

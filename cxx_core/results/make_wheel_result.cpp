@@ -1,4 +1,4 @@
-#include "results/wheel_result.hpp"
+#include "results/make_wheel_result.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -180,13 +180,10 @@ WheelResult make_wheel_result(WheelSolution solution,
   result.details = {mirror,
                     equilibrium.pose,
                     solution.vertical,
-                    solution.combined_modulus,
-                    solution.elements,
+                    solution.request,
                     std::move(solution.interaction),
-                    solution.interaction_rule,
-                    solution.joining_distance,
                     solution.load,
-                    solution.gap,
+                    std::move(solution.source),
                     {},
                     {},
                     wheel,
@@ -212,7 +209,7 @@ WheelResult make_wheel_result(WheelSolution solution,
       return patch.plane != first->plane;
     });
     PatchResult& made = result.patches.emplace_back(
-        contact_of({first, last}, pair, solution.combined_modulus, side));
+        contact_of({first, last}, pair, solution.request.combined_modulus, side));
     if (result.details.interaction) {
       const auto index_of = [&solution](auto patch) {
         return static_cast<std::size_t>(patch - solution.patches.begin());

@@ -1,6 +1,6 @@
 // The result of a wheel: its patches as they were solved, and residuals by convolutions of their
 // own.
-#include "results/wheel_result.hpp"
+#include "results/make_wheel_result.hpp"
 
 #include <cmath>
 
@@ -8,7 +8,7 @@
 
 #include "scene/solve_scene.hpp"
 
-namespace wrc::test::wheel_result_test {
+namespace wrc::test::make_wheel_result_test {
 namespace {
 
 TEST(WheelResult, SolvedPatchesIncludeThePartsOfAPlane) {
@@ -67,4 +67,4 @@ TEST(WheelResult, LeftAndRightAreMirrorImages) {
 }
 
 } // namespace
-} // namespace wrc::test::wheel_result_test
+} // namespace wrc::test::make_wheel_result_test

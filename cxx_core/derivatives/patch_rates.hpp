@@ -86,8 +86,8 @@ struct SensitivityRequest {
 };
 
 /// Throws Error(invalid_argument) as the solver does.
-WheelSensitivity compute_sensitivities(const PosedPair& pair, std::span<const LoadedPatch> patches,
-                                       const SensitivityRequest& request, ContactStiffness& solver);
+WheelSensitivity compute_patch_rates(const PosedPair& pair, std::span<const LoadedPatch> patches,
+                                     const SensitivityRequest& request, ContactStiffness& solver);
 
 /// Makes the rates of all patches of a wheel together, whose force is `force`, symmetric: dQ_i/dq_j
 /// = dQ_j/dq_i, Q the forces along the coordinates q, since they are derivatives of an energy.

@@ -1,4 +1,4 @@
-#include "derivatives/wheel_sensitivities.hpp"
+#include "derivatives/wheel_rates.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,8 @@
 #include "creep/rolling_frame.hpp"
 #include "derivatives/constants.hpp"
 #include "derivatives/gap_rates.hpp"
+#include "derivatives/patch_rates.hpp"
 #include "derivatives/plane_rates.hpp"
-#include "derivatives/sensitivities.hpp"
-#include "geometry/contact_search.hpp"
 #include "mechanics/coupled_influence.hpp"
 #include "patches/constants.hpp"
 #include "remesh/met_distance.hpp"
@@ -18,35 +17,28 @@
 namespace wrc {
 namespace {
 
-/// The planes of a side as they were found, once more.
+/// The planes at the depth found, beside which they were planned.
 struct Planes {
   MovingPatches moving;
   std::vector<std::size_t> index; ///< of each patch of the result
 };
 
-Planes find_planes(const WheelResult& side, std::span<const PatchResult* const> patches) {
-  const WheelDetails& details = side.details;
+Planes find_planes(const WheelDetails& details, std::span<const PatchResult* const> patches) {
   if (details.varies()) { // planes and elements stay where they are
     Planes planes;
     planes.moving.rates.resize(1);
     planes.index.assign(patches.size(), 0);
     return planes;
   }
-  const double depth = side.vertical - details.vertical;
-  const ContactScan scan =
-      search_contacts(*details.wheel, *details.rail, details.pose, depth, true);
   Planes planes;
-  planes.moving = find_moving_patches(*details.wheel, *details.rail, details.pose, scan, depth,
-                                      details.joining_distance);
+  planes.moving = find_moving_patches(*details.wheel, *details.rail, details.pose,
+                                      details.source.scan, details.source.depth, details.request);
   const auto& found = planes.moving.found.patches;
   for (const PatchResult* patch : patches) {
     const auto apart = [patch](const ContactPatch& place) {
       return std::abs(place.mean_y - patch->frame.origin.y);
     };
-    const auto nearest =
-        std::min_element(found.begin(), found.end(), [&apart](const auto& one, const auto& other) {
-          return apart(one) < apart(other);
-        });
+    const auto nearest = std::ranges::min_element(found, {}, apart);
     planes.index.push_back(static_cast<std::size_t>(nearest - found.begin()));
   }
   return planes;
@@ -72,12 +64,12 @@ void make_changing_influence(std::span<const SolvedPatch> solved, const WheelDet
     for (std::size_t l = 0; l < count; ++l) {
       double& rate = interaction.coupling_weight[k * count + l];
       rate = planes.moving.coupling_weight_rate(planes.index[k], planes.index[l],
-                                                details.interaction_rule)[motion];
+                                                details.request.interaction)[motion];
       any = any || rate != 0.0;
     }
   }
   if (any) {
-    change.emplace(solved, interaction, details.combined_modulus);
+    change.emplace(solved, interaction, details.request.combined_modulus);
   }
 }
 
@@ -147,7 +139,7 @@ motion_of_grid(const PatchResult& patch, const MovingPatches& moving, const Whee
   if (details.varies()) {
     return is_cut(patch) ? std::optional(ByMotion<ElementMotion>{}) : std::nullopt;
   }
-  if (moving.found.patches.size() > 1 || details.gap != GapConvention::tangent) {
+  if (moving.found.patches.size() > 1 || details.request.gap != GapConvention::tangent) {
     return std::nullopt;
   }
   return by_motion([&](std::size_t motion) {
@@ -211,7 +203,7 @@ ByMotion<double> angle_rates_of(const ContactFrame& frame, const PlaneRates& pla
 WheelRates compute_rates(const WheelResult& side) {
   const WheelDetails& details = side.details;
   const std::vector<const PatchResult*> patches = solved_patches(side);
-  const Planes planes = find_planes(side, patches);
+  const Planes planes = find_planes(details, patches);
   std::vector<LoadedPatch> loaded;
   std::vector<ByMotion<Vector3>> references;
   std::vector<SolvedPatch> solved;
@@ -221,20 +213,20 @@ WheelRates compute_rates(const WheelResult& side) {
         patch.frame, planes.moving.rates[planes.index[k]], details.rail->graph().heights()));
     loaded.push_back(
         {patch.frame, patch.grid, patch.pressure,
-         angle_rates_of(patch.frame, planes.moving.rates[planes.index[k]], details.gap),
+         angle_rates_of(patch.frame, planes.moving.rates[planes.index[k]], details.request.gap),
          by_motion(
              [&](std::size_t motion) { return dot(reference[motion], patch.frame.longitudinal); }),
          patch.undeformed_distance, patch.row_scales,
          motion_of_grid(patch, planes.moving, details)});
-    solved.push_back({patch.grid, patch.pressure, details.elements});
+    solved.push_back({patch.grid, patch.pressure, details.request.elements});
   }
   SensitivityRequest request;
-  request.combined_modulus = details.combined_modulus;
-  request.elements = details.elements;
+  request.combined_modulus = details.request.combined_modulus;
+  request.elements = details.request.elements;
   request.tolerance = sensitivity_tolerance;
   std::optional<CoupledInfluence> influence;
   if (details.interaction) {
-    influence.emplace(solved, *details.interaction, details.combined_modulus);
+    influence.emplace(solved, *details.interaction, details.request.combined_modulus);
     request.influence = &*influence;
   }
   ByMotion<std::optional<CoupledInfluence>> changes;
@@ -247,7 +239,7 @@ WheelRates compute_rates(const WheelResult& side) {
   InfluenceCache cache;
   ContactStiffness stiffness(cache);
   const PosedPair pair = details.pair();
-  WheelSensitivity found = compute_sensitivities(pair, loaded, request, stiffness);
+  WheelSensitivity found = compute_patch_rates(pair, loaded, request, stiffness);
   if (details.varies()) { // not known from planes: the reference goes with the elements
     for (std::size_t k = 0; k < patches.size(); ++k) {
       const ContactFrame& plane = loaded[k].frame;
@@ -285,7 +277,7 @@ bool is_finite(const ForceRates& rates) {
 
 } // namespace
 
-std::optional<WheelRates> sensitivities_of(const WheelResult& side) {
+std::optional<WheelRates> wheel_rates_of(const WheelResult& side) {
   // Above the first touch, where a solution that fails may end, no planes are found.
   if (side.patches.empty() || !side.solved || side.validity || !(side.depth > 0.0)) {
     return std::nullopt;

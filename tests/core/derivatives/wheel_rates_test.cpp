@@ -5,7 +5,7 @@
 /// sensitivity is that of the elements as they are, which also shows as scatter between steps.
 /// Besides, it leaves out what a turning plane changes in gaps and areas and that the boundary
 /// between two patches moves, which matters where they are about to join.
-#include "derivatives/wheel_sensitivities.hpp"
+#include "derivatives/wheel_rates.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,10 +16,11 @@
 #include <gtest/gtest.h>
 
 #include "scene/solve_scene.hpp"
+#include "support/search_contacts.hpp"
 #include "support/simple_profiles.hpp"
 #include "support/varying_contact.hpp"
 
-namespace wrc::test::wheel_sensitivities_test {
+namespace wrc::test::wheel_rates_test {
 namespace {
 
 /// Distance of the wheelset's centre from the contact, mm: a turn moves it by so much more.
@@ -75,7 +76,7 @@ TEST_P(SideSensitivities, AreThoseOfTheWholeScene) {
   const Scene scene = scene_of(c);
   SceneResult here = solve_scene(scene);
   ASSERT_EQ(solved_patches(*here.left).size(), c.patches);
-  const std::optional<WheelRates> rates = sensitivities_of(*here.left);
+  const std::optional<WheelRates> rates = wheel_rates_of(*here.left);
   ASSERT_TRUE(rates);
 
   const std::array<Vector3, 4> found{rates->force.lateral.force, rates->force.vertical.force,
@@ -161,7 +162,7 @@ TEST(SideSensitivitiesAtTheEndOfARail, AreThoseOfTheWholeScene) {
       request.vertical = height + by;
       return solve_left(bodies, request);
     };
-    const std::optional<WheelRates> rates = sensitivities_of(solved_at(0.0));
+    const std::optional<WheelRates> rates = wheel_rates_of(solved_at(0.0));
     ASSERT_TRUE(rates) << end;
     const double difference =
         (solved_at(longest_step).force.z - solved_at(-longest_step).force.z) / (2.0 * longest_step);
@@ -187,7 +188,7 @@ TEST(SideSensitivitiesAtTheEndOfARail, AreThoseOfElementsThatStayWhereItVaries) 
       request.vertical = under.vertical - under.depth + by;
       return solve_left(bodies, request);
     };
-    const std::optional<WheelRates> rates = sensitivities_of(solved_at(0.0));
+    const std::optional<WheelRates> rates = wheel_rates_of(solved_at(0.0));
     ASSERT_TRUE(rates) << end;
     double products = 0.0;
     double squares = 0.0;
@@ -198,6 +199,26 @@ TEST(SideSensitivitiesAtTheEndOfARail, AreThoseOfElementsThatStayWhereItVaries) 
     }
     const double slope = products / squares;
     EXPECT_NEAR(rates->force.vertical.force.z, slope, tolerance * std::abs(slope)) << end;
+  }
+}
+
+/// The part of the contact search that a result keeps gives the patches that the whole search
+/// gives.
+TEST(SideSensitivitiesUnderLoad, StandOnThePatchesAtTheDepthFound) {
+  for (const double lateral : {0.0, 3.0, 5.0, 6.4}) {
+    Scene scene;
+    scene.lateral = lateral;
+    scene.yaw = 0.01;
+    scene.left.rail.name = scene.right.rail.name = "UIC60-Manchester";
+    const SceneResult solved = solve_scene(scene);
+    const WheelDetails& details = solved.left->details;
+    const ContactScan whole =
+        search_contacts(*details.wheel, *details.rail, details.pose, solved.left->depth);
+    EXPECT_EQ(
+        find_contact_patches(details.source.scan, details.source.depth, details.request).patches,
+        find_contact_patches(whole, details.source.depth, details.request).patches)
+        << lateral;
+    EXPECT_NEAR(details.source.depth, solved.left->depth, 1e-12);
   }
 }
 
@@ -214,7 +235,7 @@ TEST(SideSensitivitiesByName, AreAbsentWithoutContact) {
   Scene scene;
   scene.vertical = 500.0;
   SceneResult result = solve_scene(scene);
-  EXPECT_FALSE(sensitivities_of(*result.left));
+  EXPECT_FALSE(wheel_rates_of(*result.left));
   EXPECT_FALSE(number_value(result, "left.sensitivities.pressure_force.y.lateral"));
   for (const std::string& name : number_names(result)) {
     EXPECT_EQ(name.find("sensitivities"), std::string::npos) << name;
@@ -222,4 +243,4 @@ TEST(SideSensitivitiesByName, AreAbsentWithoutContact) {
 }
 
 } // namespace
-} // namespace wrc::test::wheel_sensitivities_test
+} // namespace wrc::test::wheel_rates_test

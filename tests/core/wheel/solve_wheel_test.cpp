@@ -1,4 +1,4 @@
-#include "wheel/wheel_solution.hpp"
+#include "wheel/solve_wheel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include "remesh/row_scales.hpp"
 #include "support/simple_profiles.hpp"
 
-namespace wrc::test::wheel_solution_test {
+namespace wrc::test::solve_wheel_test {
 namespace {
 
 const double modulus = combined_modulus({210000.0, 0.3}, {210000.0, 0.3});
@@ -241,4 +241,4 @@ TEST(WheelSolution, ErrorEstimateBoundsTheErrorAgainstAFinerGrid) {
 }
 
 } // namespace
-} // namespace wrc::test::wheel_solution_test
+} // namespace wrc::test::solve_wheel_test

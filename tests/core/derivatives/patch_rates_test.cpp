@@ -1,6 +1,6 @@
 /// Rates of the wheel's forces against central differences of the whole way on fixed planes and
 /// grids: the distance sampled anew at the moved position, and the contact problem solved anew.
-#include "derivatives/sensitivities.hpp"
+#include "derivatives/patch_rates.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +15,9 @@
 #include "profile/standard_profiles.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "support/patch_problem.hpp"
-#include "wheel/wheel_solution.hpp"
+#include "wheel/solve_wheel.hpp"
 
-namespace wrc::test::sensitivities_test {
+namespace wrc::test::patch_rates_test {
 namespace {
 
 const double modulus = combined_modulus({210000.0, 0.3}, {210000.0, 0.3});
@@ -165,7 +165,7 @@ public:
     static InfluenceCache cache;
     ContactStiffness stiffness(cache);
     request.combined_modulus = modulus;
-    return compute_sensitivities(pair(), patches, request, stiffness);
+    return compute_patch_rates(pair(), patches, request, stiffness);
   }
 
 private:
@@ -302,8 +302,8 @@ TEST(SensitivitiesOfPatches, AreAbsentWithoutContact) {
   EXPECT_FALSE(condense_at_vertical_load(found.force_rates));
   InfluenceCache cache;
   ContactStiffness stiffness(cache);
-  EXPECT_THROW(compute_sensitivities(side.pair(), {}, {modulus}, stiffness), Error);
-  EXPECT_THROW(compute_sensitivities(side.pair(), side.patches, {}, stiffness), Error);
+  EXPECT_THROW(compute_patch_rates(side.pair(), {}, {modulus}, stiffness), Error);
+  EXPECT_THROW(compute_patch_rates(side.pair(), side.patches, {}, stiffness), Error);
 }
 
 /// What a turning plane changes, against differences on grids that turn with it.
@@ -426,4 +426,4 @@ TEST(SensitivitiesOfTheRightSide, AreThoseOfTheMirror) {
 }
 
 } // namespace
-} // namespace wrc::test::sensitivities_test
+} // namespace wrc::test::patch_rates_test

@@ -1,4 +1,4 @@
-#include "derivatives/sensitivities.hpp"
+#include "derivatives/patch_rates.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -373,9 +373,8 @@ ForceRates operator+(const ForceRates& a, const ForceRates& b) {
   return by_motion([&](std::size_t motion) { return a[motion] + b[motion]; });
 }
 
-WheelSensitivity compute_sensitivities(const PosedPair& pair, std::span<const LoadedPatch> patches,
-                                       const SensitivityRequest& request,
-                                       ContactStiffness& solver) {
+WheelSensitivity compute_patch_rates(const PosedPair& pair, std::span<const LoadedPatch> patches,
+                                     const SensitivityRequest& request, ContactStiffness& solver) {
   std::vector<SolvedPatch> solved;
   std::vector<std::vector<double>> angles;
   for (const LoadedPatch& patch : patches) {
