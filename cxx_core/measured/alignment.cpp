@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "measured/constants.hpp"
+
 extern "C" {
 /// LAPACK: solves A x = b with A symmetric positive definite.
 void dposv_(const char* uplo, const int* n, const int* nrhs, double* a, const int* lda, double* b,
@@ -13,30 +15,6 @@ void dposv_(const char* uplo, const int* n, const int* nrhs, double* a, const in
 
 namespace wrc {
 namespace {
-
-/// Bounds of the distances that count, mm, from the first to the last stage, and steps of each.
-/// origin: reasoned: files are a few mm from their place; the last bound is ten times the noise of
-/// instruments and below the wear of a used profile.
-constexpr std::array<double, 7> bounds{5.0, 3.0, 2.0, 1.0, 0.5, 0.3, 0.2};
-constexpr int steps_of_stage = 4;
-/// Steps of the last stage.
-/// origin: bound: ten settle to 1e-9 rad.
-constexpr int last_steps = 12;
-/// The bound falls no further if a smaller share of the points is left.
-/// origin: reasoned: a smaller part may fit anywhere.
-constexpr double least_share = 0.5;
-/// Points that are looked at, and distance of the nominal's points among which feet begin, mm.
-/// origin: bound: others tell nothing new about a rigid motion.
-constexpr std::size_t most_points = 400;
-constexpr double foot_spacing = 0.5;
-/// Fewer points beside the nominal determine nothing.
-constexpr std::size_t least_points = 20; // origin: reasoned
-/// Length that makes rotations comparable with shifts, mm.
-/// origin: bound: only rounding depends on it.
-constexpr double lever = 50.0;
-/// Smallest share of an unknown that the others do not explain, in squares.
-/// origin: reasoned: of S1002 it is 0.1, of a tread without a flange 1e-3, of a line 0.
-constexpr double least_pivot = 1e-5;
 
 struct Foot {
   Position normal{};
@@ -132,7 +110,7 @@ bool improve(Alignment& alignment, const Nominal& nominal, std::span<const Posit
         a[i][j] += weight * row[i] * row[j];
     }
   }
-  if (counted < least_points)
+  if (counted < least_aligned_points)
     return false;
   alignment.share = static_cast<double>(counted) / static_cast<double>(beside);
   alignment.deviation = std::sqrt(squares / static_cast<double>(counted));
@@ -155,19 +133,20 @@ Position RigidMotion::of(const Position& point) const {
 
 std::optional<Alignment> alignment_to(const Curve& nominal, std::span<const Position> points) {
   std::vector<Position> some;
-  const std::size_t every = 1 + points.size() / most_points;
+  const std::size_t every = 1 + points.size() / aligned_points;
   for (std::size_t i = 0; i < points.size(); i += every)
     some.push_back(points[i]);
   const Nominal feet(nominal);
   Alignment best;
-  for (const double bound : bounds) {
+  for (const double bound : alignment_bounds) {
     Alignment next = best;
     next.bound = bound;
-    for (int step = 0; step < (bound == bounds.back() ? last_steps : steps_of_stage); ++step)
+    for (int step = 0; step < (bound == alignment_bounds.back() ? last_steps : steps_of_stage);
+         ++step)
       if (!improve(next, feet, some))
-        return bound == bounds.front() ? std::nullopt : std::optional(best);
-    if (next.share < least_share)
-      return bound == bounds.front() ? std::nullopt : std::optional(best);
+        return bound == alignment_bounds.front() ? std::nullopt : std::optional(best);
+    if (next.share < least_aligned_share)
+      return bound == alignment_bounds.front() ? std::nullopt : std::optional(best);
     best = next;
   }
   return best;

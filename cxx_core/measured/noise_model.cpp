@@ -7,61 +7,10 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "measured/constants.hpp"
 
 namespace wrc {
 namespace {
-
-/// Lengths of correlated noise that are tried, mm.
-/// origin: reasoned: optical scanners average over 0.1 to 1 mm; wheels have longer waves.
-constexpr std::array correlations{0.3, 0.6, 1.2, 2.4};
-/// Points farther apart, mm, have independent noise.
-/// origin: bound: keeps the band narrow; at the longest correlation a half is left there.
-constexpr double uncorrelated_distance = 1.5;
-/// Noise is correlated if minus twice the logarithm of the likelihood falls by more than this.
-/// origin: reasoned: by chance it falls by 8 in one of 200 cases (chi squared of one freedom).
-constexpr double notable_gain = 8.0;
-/// Intensities where the data say nothing, mm^-3 and mm^-1; they count as this number of values.
-/// origin: measured (drivers/evidence/core/measure_noise.cpp): the treads of five wheels have 4e-7
-/// to 2e-4 and 1e-8 to 3e-4 at waves of 7 to 20 mm; 0.2 is less than one halved wave contributes.
-constexpr double usual_drift = 3e-6;
-constexpr double usual_waviness = 1e-5;
-constexpr double prior_count = 0.2;
-/// Half the neighbourhood of the drift in halved waves, bounds in mm; twice that for waviness.
-/// origin: measured (drivers/evidence/core/measure_noise.cpp): 0.75 to 1.2 waves make no difference
-/// among 300 samples; half as much leaves 91 instead of 96 of 100 truths within the spread.
-constexpr double neighbourhood = 1.0;
-constexpr double least_neighbourhood = 2.0;
-constexpr double greatest_neighbourhood = 20.0;
-constexpr double waviness_neighbourhoods = 2.0;
-constexpr double least_of_waviness = 6.0;
-/// Rounds of the fixed point, of a first fit and of one that begins with a fit.
-/// origin: measured: sigma settles to 1 % within 10 rounds, the likelihood within 30.
-constexpr int first_rounds = 40;
-constexpr int later_rounds = 12;
-/// How often weights follow the residuals.
-/// origin: bound: a line with kinks settles in two.
-constexpr int weightings = 3;
-/// Residuals beyond this many medians lose weight.
-/// origin: derived: three standard deviations of normal noise.
-constexpr double influence_limit = 3.0 * 1.4826;
-/// Change of logarithms at which it has settled.
-/// origin: reasoned: intensities enter wavelengths by their sixth root.
-constexpr double settled_variance = 0.02;
-constexpr double settled_intensity = 0.2;
-/// First intensities, with all scatter as noise and with a part of it; least variance, mm^2.
-/// origin: bound: changes no result that settles; 1e-10 mm is less than any rounding.
-constexpr double first_intensity = 1e-5;
-constexpr double rough_drift = 1.0;
-constexpr double rough_waviness = 1e-2;
-constexpr double rough_share = 1e-3;
-constexpr double least_variance = 1e-20;
-/// Points closer than this, mm, count as this far apart, lest equal places make a singular system.
-/// origin: bound: below the distance that readers leave between points.
-constexpr double least_distance = 1e-3;
-/// The residual's least share of the squares, against rounding; the least freedom of the noise.
-/// origin: bound.
-constexpr double least_residual = 1e-12;
-constexpr double least_freedom = 0.01;
 
 /// Four values of cubic B-splines.
 struct Row {
@@ -295,8 +244,8 @@ private:
     std::vector<double> near_drift;
     std::vector<double> near_waviness;
     for (std::size_t j = 0; j < basis_.intervals; ++j) {
-      near_drift.push_back(std::clamp(neighbourhood * wavelength_at(j), least_neighbourhood,
-                                      greatest_neighbourhood));
+      near_drift.push_back(
+          std::clamp(wavelength_at(j), drift_neighbourhood[0], drift_neighbourhood[1]));
       near_waviness.push_back(
           std::max(least_of_waviness, waviness_neighbourhoods * near_drift.back()));
     }

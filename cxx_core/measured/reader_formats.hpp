@@ -55,7 +55,5 @@ template <class Change> void change_points(RawProfile& raw, const Change& change
 }
 /// Multiplies their coordinates.
 void scale_points(RawProfile& raw, double lateral, double height);
-/// Drops points closer than `least` to the one kept before. Returns how many.
-std::size_t drop_close_points(std::vector<Position>& points, double least);
 
 } // namespace wrc::reading

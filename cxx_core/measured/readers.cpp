@@ -6,8 +6,10 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "measured/constants.hpp"
 #include "measured/noise_removal.hpp"
 #include "measured/plausibility.hpp"
+#include "measured/plausible_shapes.hpp"
 #include "measured/profile_shape.hpp"
 #include "measured/reader_formats.hpp"
 #include "measured/reader_text.hpp"
@@ -32,16 +34,6 @@ void note_gaps(const LineCount& gaps, Log& log) {
     log.note(gaps.text("rows without lateral or height skipped as gaps"));
 }
 
-std::size_t drop_close_points(std::vector<Position>& points, double least) {
-  std::vector<Position> kept;
-  for (const Position& point : points)
-    if (kept.empty() || std::hypot(point[0] - kept.back()[0], point[1] - kept.back()[1]) >= least)
-      kept.push_back(point);
-  const std::size_t dropped = points.size() - kept.size();
-  points = std::move(kept);
-  return dropped;
-}
-
 void scale_points(RawProfile& raw, double lateral, double height) {
   change_points(raw, [=](const Position& p) { return Position{lateral * p[0], height * p[1]}; });
 }
@@ -52,15 +44,6 @@ namespace {
 
 using reading::Log;
 using reading::RawProfile;
-
-/// Waves that wheels and rails have, mm: a smoothing that halves them needs a statement.
-/// origin: published: gauge corners and flange roots have radii of 8 to 15 mm (EN 13674-1, EN
-/// 13715), whose arcs are longer.
-constexpr double wave_of_wheels = 5.0;
-/// A wavelength this much shorter than the one of the noise is too short.
-/// origin: measured (tests/core/measured/noise_removal_test.cpp): S1002 with noise of 0.02 mm is
-/// off by twice as much at this share of its wavelength.
-constexpr double wavelength_share = 0.7;
 
 std::string waves_text(const NoiseRemoval& clean) {
   return "waves of " + reading::fixed_text(clean.short_wave, 1) +
@@ -104,7 +87,7 @@ void smooth_by_noise(Profile& profile, const NoiseRemoval& clean, bool stated, L
     log.note("points left out at the ends, far from the others: " +
              std::to_string(clean.lone_ends));
   const std::string text = "smoothed automatically: " + waves_text(clean) + " are halved";
-  if (stated || clean.long_wave < wave_of_wheels)
+  if (stated || clean.long_wave < plausible::shape_wave)
     log.note(text);
   else
     log.guess(text, "state the smoothing: \"auto\", a wavelength in mm or 0");

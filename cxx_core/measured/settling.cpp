@@ -7,7 +7,9 @@
 
 #include "base/error.hpp"
 #include "measured/alignment.hpp"
+#include "measured/constants.hpp"
 #include "measured/plausibility.hpp"
+#include "measured/plausible_shapes.hpp"
 #include "measured/profile_cleaning.hpp"
 #include "measured/profile_shape.hpp"
 #include "measured/tilt.hpp"
@@ -16,36 +18,6 @@
 
 namespace wrc::reading {
 namespace {
-
-/// Taping line of a wheel from its flange back, where nothing states it, mm.
-/// origin: published: EN 13715.
-constexpr double usual_tape_offset = 70.0;
-
-/// Widths in mm that tell units: of a wheel, of a rail's head.
-/// origin: published: EN 13715, EN 13674-1.
-constexpr double wheel_width = 135.0;
-constexpr double rail_width = 72.0;
-/// A unit of another power of ten is taken by these widths, an inch or a cm only near a whole
-/// profile's width, by this factor.
-/// origin: reasoned: 1000 cannot be mistaken; 10 and 25.4 differ by 2.5, so 1.3 keeps them apart.
-constexpr Position thinkable_width{20.0, 300.0};
-constexpr double near_width = 1.3;
-
-/// Columns are swapped if the first extends over less than this share of the second; a whole rail
-/// is as high as wide, a half one higher, in mm.
-/// origin: published: wheels and heads of rails are at least 1.9 times as wide as high (EN 13715,
-/// EN 13674-1).
-constexpr double swapped_ratio = 0.6;
-constexpr double greatest_head_height = 100.0;
-/// The outer half of a wheel rises above its tread by less than this, mm, the head and the foot of
-/// a half rail above its web by more. origin: published: hollow treads have false flanges of up to
-/// 5 mm; half heads of rails are 25 mm thicker than half webs, half feet 50 mm (EN 13674-1).
-constexpr double greatest_rise_of_tread = 8.0;
-
-/// Where a wheel that counts from its flange back begins, and its tip, mm.
-/// origin: measured: files of six instruments begin at -0.2 to 3.9, tips are at 15 to 21.
-constexpr Position back_range{-5.0, 12.0};
-constexpr Position tip_from_back{5.0, 40.0};
 
 std::string_view name_of(ProfileKind kind) {
   return kind == ProfileKind::wheel ? "wheel" : "rail";
@@ -64,10 +36,6 @@ std::optional<ProfileKind> stated_kind(const RawProfile& raw, const ReadOptions&
              std::string(name_of(*by_content)));
   return options.kind ? options.kind : by_content;
 }
-
-/// The outline of a whole rail is longer than what can be its running surface.
-/// origin: published: outlines of EN 13674-1 are up to 690 mm long.
-constexpr double longest_outline = 1000.0;
 
 void check_length(const RawProfile& raw, double most, const Log& log) {
   const std::vector<Position>& points = raw.points;
@@ -95,16 +63,17 @@ void check_length(const RawProfile& raw, double most, const Log& log) {
 double unit_by_extent(double width, std::optional<ProfileKind> kind) {
   const auto is_near = [width](double factor, double usual) {
     const double ratio = factor * width / usual;
-    return ratio < near_width && ratio > 1.0 / near_width;
+    return ratio < plausible::near_width && ratio > 1.0 / plausible::near_width;
   };
-  if (width >= thinkable_width[0] && width <= thinkable_width[1])
+  if (width >= plausible::thinkable_width[0] && width <= plausible::thinkable_width[1])
     return 1.0;
   for (const double factor : {10.0, 25.4})
-    if ((kind != ProfileKind::rail && is_near(factor, wheel_width)) ||
-        (kind != ProfileKind::wheel && is_near(factor, rail_width)))
+    if ((kind != ProfileKind::rail && is_near(factor, plausible::usual_wheel_width)) ||
+        (kind != ProfileKind::wheel && is_near(factor, plausible::usual_head_width)))
       return factor;
   for (const double factor : {1000.0, 0.001})
-    if (factor * width >= thinkable_width[0] && factor * width <= thinkable_width[1])
+    if (factor * width >= plausible::thinkable_width[0] &&
+        factor * width <= plausible::thinkable_width[1])
       return factor;
   return 1.0;
 }
@@ -128,7 +97,7 @@ void settle_units(RawProfile& raw, std::optional<ProfileKind> kind, const ReadOp
       scale_points(raw, factor, factor);
     }
   }
-  check_length(raw, longest_outline, log);
+  check_length(raw, plausible::longest_outline, log);
   for (const Position& point : points)
     if (!(std::max(std::abs(point[0]), std::abs(point[1])) <= ReadLimits::max_coordinate))
       log.refuse("point (" + text_of(point[0]) + ", " + text_of(point[1]) + "), at most " +
@@ -151,7 +120,7 @@ bool is_swapped_wheel(const std::vector<Position>& points) {
   const double middle = 0.5 * (lateral[0] + lateral[1]);
   return std::none_of(swapped.begin(), swapped.end(), [&](const Position& point) {
     return (point[0] > middle) != flange->is_outside &&
-           side * (point[1] - tread) > greatest_rise_of_tread;
+           side * (point[1] - tread) > plausible::off_tread;
   });
 }
 
@@ -162,8 +131,8 @@ void settle_columns(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) 
   const Position second = extent_of(raw.points, 1);
   const double width = first[1] - first[0];
   const double height = second[1] - second[0];
-  if (!(width < swapped_ratio * height) || !(height >= thinkable_width[0]) ||
-      (kind != ProfileKind::wheel && height > greatest_head_height &&
+  if (!(width < plausible::swapped_ratio * height) || !(height >= plausible::thinkable_width[0]) ||
+      (kind != ProfileKind::wheel && height > plausible::greatest_head_height &&
        (kind || !is_swapped_wheel(raw.points))))
     return;
   log.guess("columns swapped, since the first extends over " + fixed_text(width) +
@@ -205,8 +174,9 @@ void orient_height(RawProfile& raw, ProfileKind kind, Log& log) {
     const std::optional<Flange> flange = flange_of(raw.points);
     if (!flange || !flange->is_down)
       return;
-    evidence = "the flange pointed down: " + fixed_text(flange->width) +
-               " mm wide 8 mm below the tread, above it are " + fixed_text(flange->other_width);
+    evidence = "the flange pointed down: " + fixed_text(flange->width) + " mm wide " +
+               fixed_text(plausible::off_tread, 0) + " mm below the tread, above it are " +
+               fixed_text(flange->other_width);
   }
   const bool half_turn = kind == ProfileKind::rail && raw.rail_height_down;
   scale_points(raw, half_turn ? -1.0 : 1.0, -1.0);
@@ -248,11 +218,12 @@ void shift(RawProfile& raw, const Position& by) {
 bool counts_from_flange_back(const RawProfile& raw) {
   const double least = extent_of(raw.points, 0)[0];
   if (raw.counts_from_flange_back) // unless an offset moved it
-    return least >= back_range[0];
+    return least >= plausible::begin_from_back[0];
   const std::optional<Flange> flange = flange_of(raw.points);
-  return flange && !flange->is_outside && !flange->is_down && least >= back_range[0] &&
-         least <= back_range[1] && flange->tip[0] >= tip_from_back[0] &&
-         flange->tip[0] <= tip_from_back[1];
+  return flange && !flange->is_outside && !flange->is_down &&
+         least >= plausible::begin_from_back[0] && least <= plausible::begin_from_back[1] &&
+         flange->tip[0] >= plausible::tip_from_back[0] &&
+         flange->tip[0] <= plausible::tip_from_back[1];
 }
 
 /// What is to be added to a wheel's lateral, so that its taping line is at 0; none if it is there.
@@ -284,7 +255,7 @@ void settle_origin(RawProfile& raw, double tape_offset, const ReadOptions& optio
   if (by)
     shift(raw, {*by, 0.0});
   const std::optional<double> height = height_at_taping_line(raw.points);
-  const bool is_off = height && std::abs(*height) > tape_height_tolerance;
+  const bool is_off = height && !plausible::tape_height.holds(*height);
   if (!height || (!by && (!is_off || options.origin == WheelOrigin::tape)))
     return;
   shift(raw, {0.0, -*height});
@@ -305,10 +276,6 @@ void turn_points(RawProfile& raw, ProfileKind kind, double angle) {
   change_points(raw, [&motion](const Position& point) { return motion.of(point); });
   shift(raw, {0.0, height});
 }
-
-/// Half of the points lie within this distance of their nominal profile, mm; else a warning.
-/// origin: reasoned: wear leaves half of a wheel nearer than that.
-constexpr double usual_bound = 1.0;
 
 void align_points(RawProfile& raw, ProfileKind kind, const Profile& nominal, Log& log) {
   if (nominal.kind != kind)
@@ -377,8 +344,9 @@ Settled settle(RawProfile& raw, const ReadOptions& options, Log& log, const Prof
     log.note("order reversed, to run from the flange or gauge side to the field side");
   }
   cut_ends(raw, kind, log);
-  const double tape_offset =
-      options.tape_offset ? *options.tape_offset : raw.tape_offset.value_or(usual_tape_offset);
+  const double tape_offset = options.tape_offset
+                                 ? *options.tape_offset
+                                 : raw.tape_offset.value_or(plausible::usual_tape_offset);
   if (kind == ProfileKind::wheel)
     settle_origin(raw, tape_offset, options, log);
   settle_rotation(raw, kind, options, nominal, log);

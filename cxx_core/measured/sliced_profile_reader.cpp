@@ -6,6 +6,8 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "measured/plausible_shapes.hpp"
+#include "measured/profile_shape.hpp"
 #include "measured/reader_formats.hpp"
 #include "measured/reader_text.hpp"
 #include "measured/readers.hpp"
@@ -21,15 +23,6 @@ namespace {
 
 using reading::Log;
 using reading::RawProfile;
-
-/// Slices narrower than this are in metres.
-/// origin: reasoned: the narrowest slice, a blade of a switch, is a few mm wide; the widest, a
-/// crossing with its wing rails, 0.5 m.
-constexpr double narrowest_width = 2.0;
-
-/// Longest line of a slice, mm.
-/// origin: published: outlines of EN 13674-1 are up to 690 mm long.
-constexpr double max_slice_length = 1000.0;
 
 RawProfile read_two_columns(std::string_view text, const Log& log) {
   RawProfile raw;
@@ -119,7 +112,7 @@ private:
     }
     if (options_.scale)
       scale_ = *options_.scale;
-    else if (!is_stated && width < narrowest_width)
+    else if (!is_stated && width < plausible::narrowest_slice)
       scale_ = 1000.0;
     if (scale_ != 1.0)
       profile_.corrections.push_back(
@@ -150,13 +143,6 @@ private:
   double height_sign_ = 1.0;
 };
 
-double chord_length(const std::vector<Position>& points) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    length += std::hypot(points[i][0] - points[i - 1][0], points[i][1] - points[i - 1][1]);
-  return length;
-}
-
 /// The lengths along the points as arc lengths of the curve through them.
 std::vector<std::optional<double>> features_of(const Slice& slice, double chords, double arc,
                                                ProfileKind kind) {
@@ -173,10 +159,11 @@ std::vector<std::optional<double>> features_of(const Slice& slice, double chords
 
 ProfileSlice make_slice(const Slice& slice, RawProfile& raw, ProfileKind kind,
                         const ReadOptions& options, const Log& log) {
-  const double chords = chord_length(raw.points);
-  if (!(chords >= ReadLimits::min_length && chords <= max_slice_length))
+  const double chords = reading::chord_length(raw.points);
+  if (!(chords >= ReadLimits::min_length && chords <= plausible::longest_outline))
     log.refuse("the points are " + short_text_of(chords) + " mm long in total, allowed are " +
-               text_of(ReadLimits::min_length) + " to " + text_of(max_slice_length) + " mm");
+               text_of(ReadLimits::min_length) + " to " + text_of(plausible::longest_outline) +
+               " mm");
   for (const Position& point : raw.points)
     if (!(std::max(std::abs(point[0]), std::abs(point[1])) <= ReadLimits::max_coordinate))
       log.refuse("a point at " + text_of(point[0]) + ", " + text_of(point[1]) + " mm, at most " +

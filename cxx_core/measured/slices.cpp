@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "measured/constants.hpp"
 #include "measured/read_options.hpp"
 #include "measured/reader_lines.hpp"
 #include "profile/limits.hpp"
@@ -16,10 +17,6 @@ using reading::Log;
 
 constexpr double max_slices = SliceLimits::max_slices;
 constexpr std::size_t most_listed = 20; // in a message; not a tuning constant
-/// Places given twice may differ by this fraction of them (of 1, if they are less), by rounding.
-/// origin: reasoned: below any distance of slices, above that of places with seven digits.
-constexpr double place_rounding = 1e-6;
-
 /// Lines with something on them, without comments.
 class Content {
 public:

@@ -6,16 +6,10 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "profile/constants.hpp"
 
 namespace wrc {
 namespace {
-
-/// An interval longer than this many times its neighbour is halved.
-/// origin: reasoned: uneven slices of a measurement, at most two to one, keep their spline; halves
-/// of a halved interval are no longer than twice the next.
-constexpr double most_growth = 2.5;
-/// Bound of input (not a tuning constant).
-constexpr std::size_t max_knots = 20000;
 
 void check(std::span<const double> places, double smoothing_length, double period) {
   const std::size_t least = period > 0.0 ? 1 : 2;

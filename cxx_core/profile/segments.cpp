@@ -11,22 +11,6 @@ namespace {
 
 using Pieces = std::vector<Curve::Piece>;
 
-/// Largest angle of a piece of an arc, rad.
-/// origin: derived: R (h/R)^6 / 46080 stays below 1e-11 mm up to R = 29 mm, and beyond that
-/// max_node_distance is the tighter bound.
-constexpr double max_piece_angle = 0.05;
-/// Accuracy of pieces, mm, and of their curvature, relative to the largest.
-/// origin: reasoned: an interpolated polynomial cannot be distinguished from the standard's, and
-/// gaps are exact to 1e-11 mm.
-constexpr double position_tolerance = 1e-11;
-constexpr double curvature_tolerance = 1e-8;
-/// Rounding of a curvature, 1/mm, which a straight piece shows too.
-/// origin: derived: rounding of positions, 1e-13 mm, over the square of a piece of 0.1 mm.
-constexpr double curvature_rounding = 1e-11;
-/// Refinement ends here with an error.
-/// origin: bound: 40 times the pieces of a profile of 250 mm at 0.5 mm.
-constexpr std::size_t max_pieces = 20000;
-
 [[noreturn]] void refuse(const Segment& segment, const std::string& argument,
                          const std::string& value, const std::string& allowed) {
   throw_invalid_argument(argument + " of segment '" + segment.label + "'", value, allowed);
@@ -164,9 +148,9 @@ bool reproduces(const Pieces& pieces, const Graph& graph) {
       const Curve::End expected = graph.at_distance(pieces[i].begin.lateral, s);
       const CurvePoint found = curve.at(i, s);
       if (std::hypot(found.lateral - expected.lateral, found.height - expected.height) >
-              position_tolerance ||
+              piece_tolerance ||
           std::abs(found.curvature() - expected.curvature()) >
-              curvature_tolerance * largest_curvature + curvature_rounding)
+              piece_curvature_tolerance * largest_curvature + curvature_rounding)
         return false;
     }
   }

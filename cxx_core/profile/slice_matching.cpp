@@ -5,22 +5,12 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "profile/constants.hpp"
 #include "profile/limits.hpp"
 
 namespace wrc {
 namespace {
 
-/// Share of the shorter of two slices that the other must reach beyond its end.
-/// origin: measured: of the 147 pairs of a British crossing 140 reach up to 0.025 beyond each
-/// other, which is its rails' variation, and 7 reach 0.08 to 1.24, where parts begin or end or the
-/// slices are cut at other places.
-constexpr double least_excess = 0.05;
-/// A line this near to an end of a slice, over the length of the shorter slice, is the end's, and
-/// lengths this near to each other are equal.
-/// origin: reasoned: much less than least_excess, so that no line is near to both ends of a common
-/// stretch; 0.5 mm of a rail's 100 mm. A rise that is taken for ends makes lengths differ by
-/// least_excess or more.
-constexpr double same_line = 0.1 * least_excess;
 constexpr std::size_t most_joints = 10; // joints in a message; not a tuning constant
 
 /// Arc length of the place nearest to a point on the polygon of a curve's nodes, of those where it

@@ -6,21 +6,10 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "profile/constants.hpp"
 
 namespace wrc {
 namespace {
-
-/// How often the knots follow the arc length of the spline through them.
-/// origin: reasoned: each pass squares the deviation of the parameter from the arc length.
-constexpr int reparametrisations = 2;
-/// Length along the spline per length of its parameter, which is close to 1 for a smooth line;
-/// below this the points turn back on themselves and the tangent is lost.
-/// origin: bound: any value well below 1 and above rounding.
-constexpr double min_speed = 0.01;
-/// Length of a curve in lengths of the chords of its points.
-/// origin: reasoned: curves through sensible points exceed their chords by a few per cent at most;
-/// those that swing do so by orders of magnitude.
-constexpr double max_detour = 2.0;
 
 /// Second derivatives at the knots of the not-a-knot cubic spline. The end conditions are
 /// eliminated from the first and last interior equation, which stays diagonally dominant.
