@@ -173,10 +173,11 @@ Key align_key() {
     return KeyValue(scene.align_to.empty() ? std::string("none") : scene.align_to);
   };
   key.set_text = [](Scene& scene, std::string_view value) {
-    if (value == "none")
+    if (value == "none") {
       scene.align_to.clear();
-    else if (!value.empty())
+    } else if (!value.empty()) {
       scene.align_to = value;
+    }
     return !value.empty();
   };
   return key;

@@ -27,9 +27,10 @@ public:
   explicit Nominal(const Curve& curve) : curve_(curve) {
     const auto count =
         std::max<std::size_t>(2, static_cast<std::size_t>(curve.length() / foot_spacing));
-    for (std::size_t i = 0; i <= count; ++i)
+    for (std::size_t i = 0; i <= count; ++i) {
       samples_.push_back(
           curve.at(curve.length() * static_cast<double>(i) / static_cast<double>(count)));
+    }
   }
 
   /// None beyond the ends.
@@ -47,10 +48,12 @@ public:
     }
     const double spacing = curve_.length() / static_cast<double>(samples_.size() - 1);
     double arc = spacing * static_cast<double>(nearest);
-    for (int step = 0; step < 3; ++step)
+    for (int step = 0; step < 3; ++step) {
       arc += std::clamp(along(curve_.at(arc), point), -spacing, spacing);
-    if (arc <= 0.0 || arc >= curve_.length())
+    }
+    if (arc <= 0.0 || arc >= curve_.length()) {
       return std::nullopt;
+    }
     const CurvePoint at = curve_.at(arc);
     const Position normal{-at.tangent_height, at.tangent_lateral};
     return Foot{normal, normal[0] * (point[0] - at.lateral) + normal[1] * (point[1] - at.height)};
@@ -77,9 +80,11 @@ std::optional<Vector> solution_of(Matrix a, Vector b) {
   const int count = 1;
   int info = 0;
   dposv_(&upper, &order, &count, a[0].data(), &order, b.data(), &order, &info);
-  for (std::size_t i = 0; i < 3; ++i)
-    if (info != 0 || !(a[i][i] * a[i][i] > least_pivot * whole[i]))
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (info != 0 || !(a[i][i] * a[i][i] > least_pivot * whole[i])) {
       return std::nullopt;
+    }
+  }
   return b;
 }
 
@@ -93,12 +98,14 @@ bool improve(Alignment& alignment, const Nominal& nominal, std::span<const Posit
   for (const Position& point : points) {
     const Position moved = alignment.motion.of(point);
     const std::optional<Foot> foot = nominal.foot_of(moved);
-    if (!foot)
+    if (!foot) {
       continue;
+    }
     ++beside;
     const double share = foot->distance / alignment.bound;
-    if (std::abs(share) >= 1.0)
+    if (std::abs(share) >= 1.0) {
       continue;
+    }
     ++counted;
     squares += foot->distance * foot->distance;
     const double weight = (1.0 - share * share) * (1.0 - share * share);
@@ -106,17 +113,20 @@ bool improve(Alignment& alignment, const Nominal& nominal, std::span<const Posit
                      (foot->normal[1] * moved[0] - foot->normal[0] * moved[1]) / lever};
     for (std::size_t i = 0; i < 3; ++i) {
       b[i] -= weight * row[i] * foot->distance;
-      for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t j = 0; j < 3; ++j) {
         a[i][j] += weight * row[i] * row[j];
+      }
     }
   }
-  if (counted < least_aligned_points)
+  if (counted < least_aligned_points) {
     return false;
+  }
   alignment.share = static_cast<double>(counted) / static_cast<double>(beside);
   alignment.deviation = std::sqrt(squares / static_cast<double>(counted));
   const std::optional<Vector> step = solution_of(a, b);
-  if (!step)
+  if (!step) {
     return false;
+  }
   const RigidMotion last{(*step)[2] / lever, {(*step)[0], (*step)[1]}};
   alignment.motion.shift = last.of(alignment.motion.shift);
   alignment.motion.rotation += last.rotation;
@@ -134,19 +144,23 @@ Position RigidMotion::of(const Position& point) const {
 std::optional<Alignment> alignment_to(const Curve& nominal, std::span<const Position> points) {
   std::vector<Position> some;
   const std::size_t every = 1 + points.size() / aligned_points;
-  for (std::size_t i = 0; i < points.size(); i += every)
+  for (std::size_t i = 0; i < points.size(); i += every) {
     some.push_back(points[i]);
+  }
   const Nominal feet(nominal);
   Alignment best;
   for (const double bound : alignment_bounds) {
     Alignment next = best;
     next.bound = bound;
     for (int step = 0; step < (bound == alignment_bounds.back() ? last_steps : steps_of_stage);
-         ++step)
-      if (!improve(next, feet, some))
+         ++step) {
+      if (!improve(next, feet, some)) {
         return bound == alignment_bounds.front() ? std::nullopt : std::optional(best);
-    if (next.share < least_aligned_share)
+      }
+    }
+    if (next.share < least_aligned_share) {
       return bound == alignment_bounds.front() ? std::nullopt : std::optional(best);
+    }
     best = next;
   }
   return best;

@@ -42,10 +42,12 @@ std::span<const Position> without_lone_ends(std::span<const Position> points) {
   std::size_t first = 0;
   std::size_t last = points.size();
   for (std::size_t i = 0; i < most_lone && i + most_lone < points.size(); ++i) {
-    if (distance(i) > most)
+    if (distance(i) > most) {
       first = i + 1;
-    if (distance(points.size() - 2 - i) > most)
+    }
+    if (distance(points.size() - 2 - i) > most) {
       last = points.size() - 1 - i;
+    }
   }
   return points.subspan(first, last - first);
 }
@@ -108,9 +110,10 @@ Offsets offsets_from(const Curve& reference, std::span<const Position> points,
   result.basis.length = reference.length();
   result.basis.intervals =
       std::max(least_intervals, static_cast<std::size_t>(reference.length() / interval_length));
-  for (std::size_t j = 0; j <= result.basis.intervals; ++j)
+  for (std::size_t j = 0; j <= result.basis.intervals; ++j) {
     result.curvature.push_back(
         reference.at(result.basis.step() * static_cast<double>(j)).curvature());
+  }
   return result;
 }
 
@@ -121,8 +124,9 @@ std::optional<std::vector<Position>> line_of(const Curve& reference, const Splin
   for (std::size_t j = 0; j <= basis.intervals; ++j) {
     const double arc = basis.step() * static_cast<double>(j);
     const double offset = basis.value(coefficients, arc);
-    if (!(reference.at(arc).curvature() * offset < greatest_turn))
+    if (!(reference.at(arc).curvature() * offset < greatest_turn)) {
       return std::nullopt;
+    }
     line.push_back(beside(reference, arc, offset));
   }
   return line;
@@ -134,9 +138,11 @@ class NormalNumbers {
 public:
   explicit NormalNumbers(std::span<const Position> points) {
     std::uint64_t hash = 14695981039346656037U; // of Fowler, Noll and Vo (FNV-1a)
-    for (const Position& point : points)
-      for (const double value : point)
+    for (const Position& point : points) {
+      for (const double value : point) {
         hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 1099511628211U;
+      }
+    }
     engine_.seed(hash);
   }
   double operator()() {
@@ -163,8 +169,9 @@ NoiseRemoval remove_noise(std::span<const Position> all) {
 
   const auto line = [](const Curve& reference, const NoiseFit& fit) {
     auto found = line_of(reference, fit.basis, fit.coefficients);
-    if (!found)
+    if (!found) {
       throw Error(ErrorCode::internal, "the line turns too fast to be smoothed by its noise");
+    }
     return std::move(*found);
   };
   const Curve second = curve_through(line(first, rough));
@@ -175,9 +182,11 @@ NoiseRemoval remove_noise(std::span<const Position> all) {
   result.lone_ends = all.size() - points.size();
   result.points = line(second, fit);
   NormalNumbers normal(points);
-  for (std::size_t i = 0; i < likely_lines; ++i)
-    if (auto drawn = line_of(second, fit.basis, fit.draw(std::ref(normal))))
+  for (std::size_t i = 0; i < likely_lines; ++i) {
+    if (auto drawn = line_of(second, fit.basis, fit.draw(std::ref(normal)))) {
       result.likely.push_back(std::move(*drawn));
+    }
+  }
   result.deviation = fit.deviation;
   result.correlation = fit.correlation;
   std::vector<double> waves = fit.wavelength;

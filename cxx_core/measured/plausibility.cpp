@@ -31,8 +31,9 @@ std::string warning_text(const plausible::Shape& shape, std::initializer_list<do
 }
 
 void check(const plausible::Shape& shape, double value, Log& log) {
-  if (!shape.holds(value))
+  if (!shape.holds(value)) {
     log.warn(shape.kind, warning_text(shape, {value}));
+  }
 }
 
 /// Where a profile can be in contact: of a wheel, what lies to the field side of the flange tip.
@@ -51,10 +52,11 @@ struct Part {
 
 /// A warning where wheel and rail touch, a note elsewhere.
 void tell(bool touched, WarningClass kind, const std::string& text, Log& log) {
-  if (touched)
+  if (touched) {
     log.warn(kind, text);
-  else
+  } else {
     log.note(text + ", where wheel and rail do not touch");
+  }
 }
 
 Part contact_part(std::span<const Position> points, ProfileKind kind) {
@@ -66,8 +68,9 @@ Part contact_part(std::span<const Position> points, ProfileKind kind) {
   const std::optional<double> tape = height_at_taping_line(points);
   part.least_height = (tape ? *tape : points.back()[1]) - plausible::chamfer_depth;
   const std::optional<Flange> flange = flange_of(points);
-  if (flange && !flange->is_outside && !flange->is_down)
+  if (flange && !flange->is_outside && !flange->is_down) {
     part.least_lateral = flange->tip[0];
+  }
   return part;
 }
 
@@ -76,8 +79,10 @@ double step_at(std::span<const Position> points, std::size_t i) {
   const std::size_t before = i >= steps_of_line ? i - steps_of_line : 0;
   const std::size_t after = std::min(i + 1 + steps_of_line, points.size() - 1);
   if (before == i || after == i + 1 ||
-      std::abs(angle_between(points[before], points[i], points[i + 1], points[after])) > step_angle)
+      std::abs(angle_between(points[before], points[i], points[i + 1], points[after])) >
+          step_angle) {
     return 0.0;
+  }
   const Position along{points[i][0] - points[before][0] + points[after][0] - points[i + 1][0],
                        points[i][1] - points[before][1] + points[after][1] - points[i + 1][1]};
   return std::abs(along[0] * (points[i + 1][1] - points[i][1]) -
@@ -100,17 +105,19 @@ void check_distances(std::span<const Position> points, const Part& part, Log& lo
   const double spacing = median_spacing(points);
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const double distance = distance_between(points[i], points[i + 1]);
-    if (distance <= largest_step)
+    if (distance <= largest_step) {
       continue;
+    }
     const double step = step_at(points, i);
     const bool touched = part.holds(points[i], points[i + 1]);
     const std::string where =
         " between " + place_text(points[i]) + " and " + place_text(points[i + 1]);
-    if (step > largest_step && step > std::sin(step_angle) * distance)
+    if (step > largest_step && step > std::sin(step_angle) * distance) {
       tell(touched, WarningClass::profile_step, "step of " + fixed_text(step) + " mm" + where, log);
-    else if (is_gap(points, i, spacing))
+    } else if (is_gap(points, i, spacing)) {
       tell(touched, WarningClass::profile_gap, "gap of " + fixed_text(distance) + " mm" + where,
            log);
+    }
   }
 }
 
@@ -125,8 +132,9 @@ Return largest_return_of(std::span<const Position> points, double side) {
   double farthest = -HUGE_VAL;
   for (const Position& point : points) {
     farthest = std::max(farthest, side * point[0]);
-    if (farthest - side * point[0] > worst.distance)
+    if (farthest - side * point[0] > worst.distance) {
       worst = {farthest - side * point[0], point};
+    }
   }
   return worst;
 }
@@ -137,21 +145,25 @@ void check_single_valued(std::span<const Position> points, const Part& part, Log
   std::vector<Position> surface;
   std::copy_if(points.begin(), points.end(), std::back_inserter(surface),
                [&](const Position& point) { return part.holds(point); });
-  if (surface.empty())
+  if (surface.empty()) {
     return;
+  }
   const auto [left, right] =
       std::minmax_element(surface.begin(), surface.end(),
                           [](const Position& a, const Position& b) { return a[0] < b[0]; });
   Return worst{std::max(0.0, right < left ? (*right)[0] - (*left)[0] : 0.0), *left};
   for (const Return& each : {largest_return_of({surface.begin(), left}, -1.0),
                              largest_return_of({left, std::max(left, right)}, 1.0),
-                             largest_return_of({right, surface.end()}, -1.0)})
-    if (each.distance > worst.distance)
+                             largest_return_of({right, surface.end()}, -1.0)}) {
+    if (each.distance > worst.distance) {
       worst = each;
-  if (worst.distance > largest_return)
+    }
+  }
+  if (worst.distance > largest_return) {
     log.warn(WarningClass::profile_overlap,
              "the running surface is not single-valued: lateral runs back by " +
                  fixed_text(worst.distance) + " mm at " + place_text(worst.place));
+  }
 }
 
 /// Whether the flange is where the taping line, at 0, says.
@@ -162,14 +174,16 @@ void check_flange_back(std::span<const Position> points, const Flange& flange, d
   const double back = extent_of(points, 0)[0];
   const bool measured = points.front()[1] < flange.tip[1] - plausible::back_depth;
   if (back < -tape_offset + back_distance.range[0] ||
-      (measured && back > -tape_offset + back_distance.range[1]))
+      (measured && back > -tape_offset + back_distance.range[1])) {
     log.warn(back_distance.kind, warning_text(back_distance, {back, -tape_offset}));
+  }
 }
 
 void check_wheel(std::span<const Position> points, double tape_offset, bool is_aligned, Log& log) {
   const Position lateral = extent_of(points, 0);
-  if (lateral[0] > plausible::reach.range[0] || lateral[1] < plausible::reach.range[1])
+  if (lateral[0] > plausible::reach.range[0] || lateral[1] < plausible::reach.range[1]) {
     log.warn(plausible::reach.kind, warning_text(plausible::reach, {lateral[0], lateral[1]}));
+  }
   const std::optional<Flange> flange = flange_of(points);
   if (!flange) {
     log.warn(WarningClass::profile_flange,
@@ -178,24 +192,29 @@ void check_wheel(std::span<const Position> points, double tape_offset, bool is_a
                  " mm above the tread");
     return;
   }
-  if (flange->is_down)
+  if (flange->is_down) {
     log.warn(WarningClass::profile_signs, "the flange points to smaller radius, its tip at " +
                                               place_text(flange->tip) +
                                               "; state profile_origin, mirror_height or the scale");
-  if (!flange->is_down && extent_of(points, 1)[1] > flange->tip[1])
+  }
+  if (!flange->is_down && extent_of(points, 1)[1] > flange->tip[1]) {
     log.warn(WarningClass::profile_signs, "height up to " + fixed_text(extent_of(points, 1)[1]) +
                                               " mm, above the flange tip at " +
                                               place_text(flange->tip));
-  if (flange->is_outside)
+  }
+  if (flange->is_outside) {
     log.warn(WarningClass::profile_signs, "the flange is on the field side, its tip at " +
                                               place_text(flange->tip) + "; state mirror_lateral");
+  }
   const std::optional<double> tape = height_at_taping_line(points);
-  if (tape && !is_aligned)
+  if (tape && !is_aligned) {
     check(plausible::tape_height, *tape, log);
+  }
   check(plausible::flange_height,
         tape && !flange->is_down ? flange->tip[1] - *tape : flange->height, log);
-  if (!flange->is_down && !flange->is_outside)
+  if (!flange->is_down && !flange->is_outside) {
     check_flange_back(points, *flange, tape_offset, log);
+  }
 }
 
 void check_rail(std::span<const Position> points, Log& log) {
@@ -203,15 +222,17 @@ void check_rail(std::span<const Position> points, Log& log) {
       flange && plausible::flange_width.holds(flange->width) &&
       plausible::flange_height.holds(flange->height) &&
       flange->tread_width >= plausible::least_tread_width &&
-      flange->beyond_tip <= plausible::most_beyond_tip)
+      flange->beyond_tip <= plausible::most_beyond_tip) {
     log.warn(plausible::flange_width.kind,
              warning_text(plausible::flange_width, {flange->height, flange->tread_width}));
+  }
   const std::optional<Head> head = head_of(points);
-  if (head && head->is_down)
+  if (head && head->is_down) {
     log.warn(WarningClass::profile_signs, "the head points down: " + fixed_text(head->top_width) +
                                               " mm wide at its lower end, " +
                                               fixed_text(head->bottom_width) +
                                               " mm at its upper one; state mirror_height");
+  }
   check(plausible::crown_height, extent_of(points, 1)[1], log);
 }
 
@@ -230,10 +251,12 @@ double deviation_of(std::span<const Position> points, double spacing) {
                       1e-12);
   }
   std::vector<double> rough;
-  for (std::size_t i = 2; i + 2 < points.size(); ++i)
+  for (std::size_t i = 2; i + 2 < points.size(); ++i) {
     rough.push_back(std::abs(off[i] - 0.5 * (off[i - 1] + off[i + 1])));
-  if (rough.empty())
+  }
+  if (rough.empty()) {
     return 0.0;
+  }
   const auto middle = rough.begin() + static_cast<std::ptrdiff_t>(rough.size() / 2);
   std::nth_element(rough.begin(), middle, rough.end());
   return *middle / scatter_of_median;
@@ -250,8 +273,9 @@ double last_digit_of(std::span<const Position> points) {
     if (std::all_of(points.begin(), points.end(), [&](const Position& point) {
           return is_multiple(point[0] - points.front()[0]) &&
                  is_multiple(point[1] - points.front()[1]);
-        }))
+        })) {
       return digit;
+    }
     digit *= 0.1;
   }
   return 0.0;
@@ -263,8 +287,9 @@ std::optional<double> height_at_taping_line(std::span<const Position> points) {
   for (std::size_t i = points.size(); i-- > 1;) {
     const Position& a = points[i - 1];
     const Position& b = points[i];
-    if (std::min(a[0], b[0]) <= 0.0 && std::max(a[0], b[0]) >= 0.0)
+    if (std::min(a[0], b[0]) <= 0.0 && std::max(a[0], b[0]) >= 0.0) {
       return a[0] == b[0] ? b[1] : a[1] + (b[1] - a[1]) * (0.0 - a[0]) / (b[0] - a[0]);
+    }
   }
   return std::nullopt;
 }
@@ -284,10 +309,11 @@ void check_points(std::span<const Position> points, ProfileKind kind, double tap
     return;
   }
   check(plausible::width, width, log);
-  if (kind == ProfileKind::wheel)
+  if (kind == ProfileKind::wheel) {
     check_wheel(points, tape_offset, is_aligned, log);
-  else
+  } else {
     check_rail(points, log);
+  }
   const Part part = contact_part(points, kind);
   check_distances(points, part, log);
   check_single_valued(points, part, log);
@@ -295,8 +321,9 @@ void check_points(std::span<const Position> points, ProfileKind kind, double tap
 
 Scatter scatter_of(std::span<const Position> points) {
   const double spacing = median_spacing(points);
-  if (spacing > scatter_spacing)
+  if (spacing > scatter_spacing) {
     return {};
+  }
   return scatter_of(points, deviation_of(points, spacing));
 }
 
@@ -321,26 +348,32 @@ void check_curve(const Profile& profile, Log& log) {
   std::size_t passed = 0; // the curve has nodes at all points and in between
   for (const double arc : profile.curve.starts()) {
     const CurvePoint at = profile.curve.at(arc);
-    while (passed + 1 < points.size() && std::hypot(at.lateral - points[passed + 1][0],
-                                                    at.height - points[passed + 1][1]) < same_point)
+    while (passed + 1 < points.size() &&
+           std::hypot(at.lateral - points[passed + 1][0], at.height - points[passed + 1][1]) <
+               same_point) {
       ++passed;
-    if (passed + 1 >= points.size())
+    }
+    if (passed + 1 >= points.size()) {
       break;
+    }
     const Position& a = points[passed];
     const Position& b = points[passed + 1];
     const double length = distance_between(a, b);
     const double off =
         std::abs((b[0] - a[0]) * (at.height - a[1]) - (b[1] - a[1]) * (at.lateral - a[0])) / length;
     Swing& largest = part.holds(a, b) ? touched : untouched;
-    if (off > largest_swing && off > swing_share * length && off > largest.off)
+    if (off > largest_swing && off > swing_share * length && off > largest.off) {
       largest = {off, passed};
+    }
   }
-  for (const Swing* swing : {&touched, &untouched})
-    if (swing->off > 0.0)
+  for (const Swing* swing : {&touched, &untouched}) {
+    if (swing->off > 0.0) {
       tell(swing == &touched, WarningClass::profile_swing,
            "the curve swings by " + fixed_text(swing->off) + " mm between the points " +
                place_text(points[swing->place]) + " and " + place_text(points[swing->place + 1]),
            log);
+    }
+  }
 }
 
 } // namespace wrc::reading

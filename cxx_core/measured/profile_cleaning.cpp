@@ -35,8 +35,9 @@ double wiggle(const std::vector<Position>& points, std::size_t first, std::size_
   double sum = 0.0;
   double total = 0.0;
   for (std::size_t i = first - 1; i <= first + count; ++i) {
-    if (i == 0 || i + 1 >= points.size())
+    if (i == 0 || i + 1 >= points.size()) {
       continue;
+    }
     const double angle = angle_between(points[i - 1], points[i], points[i], points[i + 1]);
     sum += angle;
     total += std::abs(angle);
@@ -47,7 +48,7 @@ double wiggle(const std::vector<Position>& points, std::size_t first, std::size_
 /// The run of few points farthest off the line of its neighbours.
 Outlier worst_outlier(const std::vector<Position>& points) {
   Outlier worst;
-  for (std::size_t count = 1; count <= steps_of_line; ++count)
+  for (std::size_t count = 1; count <= steps_of_line; ++count) {
     for (std::size_t first = 1; first + count < points.size(); ++first) {
       double distance = 0.0; // of the nearest: all of a run are off
       for (std::size_t i = first; i < first + count; ++i) {
@@ -56,9 +57,11 @@ Outlier worst_outlier(const std::vector<Position>& points) {
         distance = i == first ? each : std::min(distance, each);
       }
       if (distance > least_outlier && distance > worst.distance &&
-          wiggle(points, first, count) > least_wiggle)
+          wiggle(points, first, count) > least_wiggle) {
         worst = {first, count, distance};
+      }
     }
+  }
   return worst;
 }
 
@@ -80,8 +83,9 @@ void remove_end(RawProfile& raw, bool last, double spacing, Log& log) {
   const auto at = [&](std::size_t i) -> const Position& {
     return raw.points[last ? n - 1 - i : i];
   };
-  if (n < 4 || !end_is_off(at(0), at(1), at(2), spacing))
+  if (n < 4 || !end_is_off(at(0), at(1), at(2), spacing)) {
     return;
+  }
   log.guess("outlier removed: the " + std::string(last ? "last" : "first") + " point " +
                 place_text(at(0)) + ", " + fixed_text(distance_between(at(0), at(1))) +
                 " mm from the next one",
@@ -96,8 +100,9 @@ void open_outline(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) {
   const double spacing = median_spacing(points);
   const double opening = distance_between(points.front(), points.back());
   if (opening > same_point &&
-      (opening > opening_ratio * spacing || opening > opening_share * chord_length(points)))
+      (opening > opening_ratio * spacing || opening > opening_share * chord_length(points))) {
     return;
+  }
   std::size_t after = 0; // the longest side ends here
   double longest = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -115,9 +120,10 @@ void open_outline(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) {
     const std::optional<Head> head = head_of(points);
     const Position height = extent_of(points, 1);
     if (kind == ProfileKind::wheel || !head ||
-        height[1] - height[0] <= 2.0 * plausible::depth_of_rail)
+        height[1] - height[0] <= 2.0 * plausible::depth_of_rail) {
       log.refuse("a closed outline, whose running surface cannot be determined; leave only "
                  "the running surface");
+    }
     const auto lowest =
         std::min_element(points.begin(), points.end(), [&](const Position& a, const Position& b) {
           return head->is_down ? a[1] > b[1] : a[1] < b[1];
@@ -135,9 +141,10 @@ void open_outline(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) {
 }
 
 void remove_doubles(RawProfile& raw, double least, Log& log) {
-  if (const std::size_t dropped = drop_close_points(raw.points, least))
+  if (const std::size_t dropped = drop_close_points(raw.points, least)) {
     log.note(std::to_string(dropped) + " points closer than " + text_of(least) +
              " mm to the previous one dropped");
+  }
 }
 
 void remove_outliers(RawProfile& raw, Log& log) {
@@ -161,10 +168,11 @@ void remove_outliers(RawProfile& raw, Log& log) {
         (worst.count == 1 ? "point " : std::to_string(worst.count) + " points from ") +
         place_text(place) + ", " + fixed_text(worst.distance) +
         " mm off the line of the neighbours";
-    if (worst.distance < least_spike)
+    if (worst.distance < least_spike) {
       log.note(text);
-    else
+    } else {
       log.guess(text, "remove it");
+    }
     remove(raw, worst.first, worst.count);
     removed += worst.count;
   }
@@ -180,13 +188,15 @@ void cut_ends(RawProfile& raw, ProfileKind kind, Log& log) {
   const auto last = std::find_if_not(points.rbegin(), points.rend(), is_deep).base();
   // The groove of a rail with a guard rail is deep, nothing within a wheel.
   if (const auto deep = std::find_if(first, last, is_deep);
-      kind == ProfileKind::wheel && deep != last)
+      kind == ProfileKind::wheel && deep != last) {
     log.warn(WarningClass::profile_overlap, "point " + place_text(*deep) + ", more than " +
                                                 fixed_text(depth, 0) +
                                                 " mm below the highest one, is between others");
+  }
   const std::size_t cut = points.size() - static_cast<std::size_t>(last - first);
-  if (cut == 0)
+  if (cut == 0) {
     return;
+  }
   log.note("ends cut: " + std::to_string(cut) + " points more than " + fixed_text(depth, 0) +
            " mm below the highest one");
   raw.dropped.insert(raw.dropped.end(), points.begin(), first);

@@ -30,8 +30,9 @@ double level_of(std::span<const Position> points) {
   double passed = 0.0;
   for (const Part& part : parts) {
     passed += part.width;
-    if (passed >= 0.5 * total)
+    if (passed >= 0.5 * total) {
       return part.height;
+    }
   }
   return points.front()[1];
 }
@@ -51,14 +52,17 @@ Run widest_run(std::span<const Position> points, double level, double side) {
       run = {};
       continue;
     }
-    if (i > 0 && off(points[i - 1]) > plausible::off_tread)
+    if (i > 0 && off(points[i - 1]) > plausible::off_tread) {
       run.width += std::abs(points[i][0] - points[i - 1][0]);
-    else
+    } else {
       run.extreme = points[i];
-    if (off(points[i]) > off(run.extreme))
+    }
+    if (off(points[i]) > off(run.extreme)) {
       run.extreme = points[i];
-    if (run.width >= widest.width)
+    }
+    if (run.width >= widest.width) {
       widest = run;
+    }
   }
   return widest;
 }
@@ -78,17 +82,20 @@ double distance_between(const Position& a, const Position& b) {
 
 double chord_length(std::span<const Position> points) {
   double length = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i)
+  for (std::size_t i = 1; i < points.size(); ++i) {
     length += distance_between(points[i], points[i - 1]);
+  }
   return length;
 }
 
 double median_spacing(std::span<const Position> points) {
   std::vector<double> spacing;
-  for (std::size_t i = 1; i < points.size(); ++i)
+  for (std::size_t i = 1; i < points.size(); ++i) {
     spacing.push_back(distance_between(points[i], points[i - 1]));
-  if (spacing.empty())
+  }
+  if (spacing.empty()) {
     return 0.0;
+  }
   const auto middle = spacing.begin() + static_cast<std::ptrdiff_t>(spacing.size() / 2);
   std::nth_element(spacing.begin(), middle, spacing.end());
   return *middle;
@@ -101,9 +108,11 @@ double angle_between(const Position& a, const Position& b, const Position& c, co
 
 std::size_t drop_close_points(std::vector<Position>& points, double least) {
   std::vector<Position> kept;
-  for (const Position& point : points)
-    if (kept.empty() || distance_between(point, kept.back()) >= least)
+  for (const Position& point : points) {
+    if (kept.empty() || distance_between(point, kept.back()) >= least) {
       kept.push_back(point);
+    }
+  }
   const std::size_t dropped = points.size() - kept.size();
   points = std::move(kept);
   return dropped;
@@ -129,15 +138,18 @@ std::optional<Flange> flange_of(std::span<const Position> points) {
   const Run& flange = is_down ? below : above;
   const Run& other = is_down ? above : below;
   if (flange.width < plausible::least_flange_width ||
-      flange.width < plausible::plainly_wider * other.width)
+      flange.width < plausible::plainly_wider * other.width) {
     return std::nullopt;
+  }
   const Position lateral = extent_of(points, 0);
   double left = 0.0;
   double right = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    if (std::abs(0.5 * (points[i][1] + points[i - 1][1]) - level) <= plausible::off_tread)
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (std::abs(0.5 * (points[i][1] + points[i - 1][1]) - level) <= plausible::off_tread) {
       (points[i][0] < flange.extreme[0] ? left : right) +=
           std::abs(points[i][0] - points[i - 1][0]);
+    }
+  }
   return Flange{is_down,
                 flange.extreme[0] > 0.5 * (lateral[0] + lateral[1]),
                 flange.width,
@@ -153,10 +165,12 @@ std::optional<double> disc_radius_of(std::span<const Position> points) {
   const Position height = extent_of(points, 1);
   const double middle = 0.5 * (lateral[0] + lateral[1]);
   const double width = lateral[1] - lateral[0];
-  if (std::abs(middle) > plausible::disc_eccentricity * width)
+  if (std::abs(middle) > plausible::disc_eccentricity * width) {
     return std::nullopt;
-  if (height[1] - height[0] <= plausible::disc_tolerance)
+  }
+  if (height[1] - height[0] <= plausible::disc_tolerance) {
     return HUGE_VAL;
+  }
   // The circle through both ends and the point closest to the middle.
   const auto central = std::min_element(points.begin(), points.end(),
                                         [middle](const Position& a, const Position& b) {
@@ -168,15 +182,17 @@ std::optional<double> disc_radius_of(std::span<const Position> points) {
   const Position ab{b[0] - a[0], b[1] - a[1]};
   const Position ac{c[0] - a[0], c[1] - a[1]};
   const double area = 2.0 * (ab[0] * ac[1] - ab[1] * ac[0]);
-  if (area == 0.0)
+  if (area == 0.0) {
     return std::nullopt;
+  }
   const double ab_square = ab[0] * ab[0] + ab[1] * ab[1];
   const double ac_square = ac[0] * ac[0] + ac[1] * ac[1];
   const Position centre{a[0] + (ac[1] * ab_square - ab[1] * ac_square) / area,
                         a[1] + (ab[0] * ac_square - ac[0] * ab_square) / area};
   const double radius = distance_between(centre, a);
-  if (std::abs(centre[0] - middle) > plausible::disc_eccentricity * width)
+  if (std::abs(centre[0] - middle) > plausible::disc_eccentricity * width) {
     return std::nullopt;
+  }
   const bool is_on_circle = std::all_of(points.begin(), points.end(), [&](const Position& point) {
     return std::abs(distance_between(point, centre) - radius) < plausible::disc_tolerance;
   });
@@ -191,19 +207,24 @@ std::optional<Head> head_of(std::span<const Position> points) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double width = std::abs(points[i][0] - points[i - 1][0]);
     const double middle = 0.5 * (points[i][1] + points[i - 1][1]);
-    if (middle > height[1] - depth)
+    if (middle > height[1] - depth) {
       head.top_width += width;
-    if (middle < height[0] + depth)
+    }
+    if (middle < height[0] + depth) {
       head.bottom_width += width;
+    }
   }
   if (std::max(head.top_width, head.bottom_width) <
-      plausible::plainly_wider * std::min(head.top_width, head.bottom_width))
+      plausible::plainly_wider * std::min(head.top_width, head.bottom_width)) {
     return std::nullopt;
+  }
   head.is_down = head.bottom_width > head.top_width;
-  if (range > plausible::greatest_head_height) // the wide end is the foot
+  if (range > plausible::greatest_head_height) { // the wide end is the foot
     head.is_down = !head.is_down;
-  if (head.is_down)
+  }
+  if (head.is_down) {
     std::swap(head.top_width, head.bottom_width);
+  }
   return head;
 }
 

@@ -49,9 +49,11 @@ void add_point(RawProfile& raw, const Position& point, std::size_t line, const L
 void note_gaps(const LineCount& gaps, Log& log);
 /// Changes all points, the dropped ones too.
 template <class Change> void change_points(RawProfile& raw, const Change& change) {
-  for (std::vector<Position>* points : {&raw.points, &raw.dropped})
-    for (Position& point : *points)
+  for (std::vector<Position>* points : {&raw.points, &raw.dropped}) {
+    for (Position& point : *points) {
       point = change(point);
+    }
+  }
 }
 /// Multiplies their coordinates.
 void scale_points(RawProfile& raw, double lateral, double height);

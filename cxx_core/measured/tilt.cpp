@@ -30,9 +30,11 @@ struct Line {
 /// The line of least squared distances.
 Line line_through(std::span<const Position> points) {
   Line line;
-  for (const Position& point : points)
-    for (std::size_t i = 0; i < 2; ++i)
+  for (const Position& point : points) {
+    for (std::size_t i = 0; i < 2; ++i) {
       line.middle[i] += point[i] / static_cast<double>(points.size());
+    }
+  }
   double lateral = 0.0;
   double height = 0.0;
   double mixed = 0.0;
@@ -58,52 +60,61 @@ std::optional<Face> face_at(std::vector<Position> points_of_end) {
   drop_close_points(points_of_end, face_spacing);
   const std::span<const Position> points(points_of_end);
   for (std::size_t first = 0; first + 2 < points.size(); ++first) {
-    if (distance_between(points.front(), points[first]) > least_face) // an edge, and then no face
+    if (distance_between(points.front(), points[first]) > least_face) { // an edge, and then no face
       return std::nullopt;
+    }
     std::size_t end = first + 2;
-    while (end < points.size() && distance_between(points[first], points[end - 1]) < least_face)
+    while (end < points.size() && distance_between(points[first], points[end - 1]) < least_face) {
       ++end;
+    }
     Line line = line_through(points.subspan(first, end - first));
     const auto fits = [&](std::size_t i) { return line.distance_from(points[i]) < straightness; };
     bool is_straight = std::abs(tilt_of(line)) < steepest_face;
-    for (std::size_t i = first; i < end; ++i)
+    for (std::size_t i = first; i < end; ++i) {
       is_straight = is_straight && fits(i);
-    if (!is_straight)
+    }
+    if (!is_straight) {
       continue;
+    }
     while (end < points.size() && fits(end)) {
       ++end;
       line = line_through(points.subspan(first, end - first));
     }
     const double length = distance_between(points[first], points[end - 1]);
     const auto sure = static_cast<std::size_t>(outer_share * static_cast<double>(end - first));
-    if (length >= least_face && sure > 2)
+    if (length >= least_face && sure > 2) {
       return Face{tilt_of(line_through(points.subspan(first, sure))), length};
+    }
   }
   return std::nullopt;
 }
 
 void warn_of_face(const std::string& name, const std::optional<Face>& face, Log& log) {
-  if (face && std::abs(face->tilt) > doubtful_face)
+  if (face && std::abs(face->tilt) > doubtful_face) {
     log.warn(
         WarningClass::profile_tilt,
         "the " + name + " is tilted by " + degrees_text(face->tilt) + " over " +
             fixed_text(face->length, 1) +
             " mm; if the wheel was measured so, state the rotation, otherwise a rotation of 0");
+  }
 }
 
 /// A nominal wheel that the points lie on once they are turned.
 void warn_by_nominal(std::span<const Position> points, Log& log) {
   const Position lateral = extent_of(points, 0);
-  if (lateral[1] - lateral[0] < plausible::least_wheel_width)
+  if (lateral[1] - lateral[0] < plausible::least_wheel_width) {
     return;
+  }
   std::vector<Position> some;
   const std::size_t every = 1 + points.size() / points_of_search;
-  for (std::size_t i = 0; i < points.size(); i += every)
+  for (std::size_t i = 0; i < points.size(); i += every) {
     some.push_back(points[i]);
+  }
   for (const std::string_view name : standard_profile_names(ProfileKind::wheel)) {
     const std::optional<Alignment> found = alignment_to(standard_profile(name).curve, some);
-    if (!found || found->share < share_on_nominal)
+    if (!found || found->share < share_on_nominal) {
       continue;
+    }
     const double turn = found->motion.rotation;
     if (std::abs(turn) > notable_tilt &&
         std::abs(turn) * plausible::half_width > least_clearness * found->deviation) {
@@ -139,16 +150,18 @@ double untilting_rotation(std::span<const Position> points, Log& log) {
       log.guess("turned by " + degrees_text(-tilt) + ", since " + text, "state the rotation");
       return -tilt;
     }
-    if (std::abs(tilt) >= notable_tilt)
+    if (std::abs(tilt) >= notable_tilt) {
       log.note("not turned: " + text +
                ", as some wheels' are; if this one was measured with a tilt, state the rotation");
+    }
     return 0.0;
   }
   const std::size_t before = log.warnings().size();
   warn_of_face("flange back", back, log);
   warn_of_face("field face", face, log);
-  if (log.warnings().size() == before)
+  if (log.warnings().size() == before) {
     warn_by_nominal(points, log);
+  }
   return 0.0;
 }
 

@@ -19,17 +19,20 @@ bool is_finite(const Curve::End& end) {
 } // namespace
 
 Curve::Curve(std::span<const Piece> pieces) {
-  if (pieces.empty())
+  if (pieces.empty()) {
     throw_invalid_argument("number of curve pieces", "0", "at least 1");
+  }
   starts_.reserve(pieces.size() + 1);
   coefficients_.reserve(pieces.size());
   double arc = 0.0;
   for (const Piece& piece : pieces) {
     const std::string name = "curve piece " + std::to_string(coefficients_.size());
-    if (!(piece.length > 0.0) || !std::isfinite(piece.length))
+    if (!(piece.length > 0.0) || !std::isfinite(piece.length)) {
       throw_invalid_argument("length of " + name, piece.length, "a positive finite number, mm");
-    if (!is_finite(piece.begin) || !is_finite(piece.end))
+    }
+    if (!is_finite(piece.begin) || !is_finite(piece.end)) {
       throw_invalid_argument("ends of " + name, "not a number or infinite", "finite numbers");
+    }
     const End& b = piece.begin;
     const End& e = piece.end;
     coefficients_.push_back(
