@@ -6,7 +6,8 @@
 #                        range; no result that settles depends on it
 #   tuned                "origin: measured (with what): ..." or "reasoned: ..."
 # The origin is in the comment above the constant, or at the end of its line; constants that follow
-# each other without a comment share the one above the first. Fails if one has no origin.
+# each other without a comment share the one above the first. Fails if one has no origin, or a word
+# such as "reasoned" without the reason.
 # Left out are constants marked "not a tuning constant" (permitted ranges, units, quadrature tables,
 # sizes of pictures) and the files listed below, which hold nothing else.
 # Usage: scripts/list_constants.sh [ROOM...]
@@ -87,7 +88,7 @@ for path in sys.stdin.read().split():
         if not re.search(r"\d", value) or "not a tuning constant" in text:
             continue
         known = origin.search(text)
-        if not known:
+        if not known or not re.search(r"\w", known[2]):
             missing.append(f"{path}:{first}: {found['"'name'"']} = {value}")
             continue
         short = path.split("/", 2)[2]
@@ -106,7 +107,7 @@ for group, tags in groups.items():
         print("| " + " | ".join(cell.replace("|", "\\|") for cell in row[1:]) + " |")
     print()
 if missing:
-    print(f"{len(missing)} of {len(missing) + len(rows)} constants have no origin:",
+    print(f"{len(missing)} of {len(missing) + len(rows)} constants have no origin or no reason for it:",
           file=sys.stderr)
     print("\n".join(missing), file=sys.stderr)
     sys.exit(1)

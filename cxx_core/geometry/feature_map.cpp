@@ -15,9 +15,10 @@ FeatureMap::FeatureMap(std::span<const double> parameters, std::span<const doubl
     const double after = chord(k < intervals ? k : k - 1);
     return 2.0 / (1.0 / before + 1.0 / after);
   };
-  for (std::size_t k = 0; k < intervals; ++k)
+  for (std::size_t k = 0; k < intervals; ++k) {
     polynomials_.push_back(
         quintic({arcs[k], slope(k), 0.0}, {arcs[k + 1], slope(k + 1), 0.0}, step(k)));
+  }
 }
 
 } // namespace wrc

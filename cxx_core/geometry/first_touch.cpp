@@ -32,11 +32,13 @@ std::optional<Warning> warning_of_touch(const WheelSurface& wheel, const Contact
   const double tip_lateral =
       nodes.lateral[static_cast<std::size_t>(highest - nodes.height.begin())];
   const double flange_height = tip - graph.at_lateral(tip_lateral + tread_distance).height;
-  if (flange_height > least_flange_height && touch.wheel.height > tip - tip_height)
+  if (flange_height > least_flange_height && touch.wheel.height > tip - tip_height) {
     return Warning{WarningClass::flange_tip, "first touch is on the flange tip," + where + advice};
-  if (touch.wheel.lateral > 0.0 && graph.at_lateral(touch.wheel.lateral).slope() < -chamfer_slope)
+  }
+  if (touch.wheel.lateral > 0.0 && graph.at_lateral(touch.wheel.lateral).slope() < -chamfer_slope) {
     return Warning{WarningClass::chamfer,
                    "first touch is on the wheel's chamfer," + where + advice};
+  }
   return std::nullopt;
 }
 

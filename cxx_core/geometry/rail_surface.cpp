@@ -35,8 +35,9 @@ std::optional<double> lateral_of_gauge_face(const Curve& curve, double top_arc, 
     }
   }
   const CurvePoint end = curve.at(0.0);
-  if (end.tangent_height < least_face_slope * end.tangent_lateral)
+  if (end.tangent_height < least_face_slope * end.tangent_lateral) {
     return std::nullopt;
+  }
   throw_invalid_argument("track.gauge_height", gauge_height,
                          "at most the depth of the rail profile's gauge face below its top, mm");
 }

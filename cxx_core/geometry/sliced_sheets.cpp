@@ -27,13 +27,16 @@ std::vector<SheetExtent> runs_of(const SlicedProfile& profile, std::size_t part)
   std::vector<SheetExtent> runs;
   const std::size_t slices = profile.slices.size();
   for (std::size_t i = 0; i < slices; ++i) {
-    if (!has_part(profile.slices[i], part))
+    if (!has_part(profile.slices[i], part)) {
       continue;
+    }
     const std::size_t first = i;
-    while (i + 1 < slices && has_part(profile.slices[i + 1], part))
+    while (i + 1 < slices && has_part(profile.slices[i + 1], part)) {
       ++i;
-    if (i > first || slices == 1)
+    }
+    if (i > first || slices == 1) {
       runs.push_back({part, part, first, i});
+    }
   }
   return runs;
 }
@@ -46,8 +49,9 @@ void check_smoothing_length(const std::string& name, const std::vector<SheetSect
   }
   double closest = period > 0.0 ? sections.front().place + period - sections.back().place
                                 : std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < sections.size(); ++i)
+  for (std::size_t i = 1; i < sections.size(); ++i) {
     closest = std::min(closest, sections[i].place - sections[i - 1].place);
+  }
   const double most = AlongSpline::longest_smoothing * closest;
   if (closest > 0.0 && smoothing_length > most) {
     const auto text = [&unit](double length) {
@@ -63,8 +67,9 @@ void check_smoothing_length(const std::string& name, const std::vector<SheetSect
 }
 
 double distance_along(const SurfaceSheet& sheet, double along) {
-  if (sheet.holds(along))
+  if (sheet.holds(along)) {
     return 0.0;
+  }
   const Stretch range = sheet.along();
   return std::max(range.begin - along, along - range.end);
 }
@@ -73,30 +78,34 @@ double distance_along(const SurfaceSheet& sheet, double along) {
 
 std::vector<SheetExtent> sheet_extents(const SlicedProfile& profile) {
   std::vector<SheetExtent> sheets;
-  for (std::size_t part = 0; part < part_count(profile); ++part)
+  for (std::size_t part = 0; part < part_count(profile); ++part) {
     for (const SheetExtent& run : runs_of(profile, part)) {
       const auto joined = std::find_if(sheets.begin(), sheets.end(), [&](const SheetExtent& sheet) {
         return sheet.last_part + 1 == part && sheet.first_slice == run.first_slice &&
                sheet.last_slice == run.last_slice;
       });
-      if (joined != sheets.end())
+      if (joined != sheets.end()) {
         joined->last_part = part;
-      else if (sheets.size() == SliceLimits::max_sheets)
+      } else if (sheets.size() == SliceLimits::max_sheets) {
         throw_invalid_argument("parts that begin and end of profile " + profile.name,
                                "more than " + std::to_string(sheets.size()),
                                "at most " + std::to_string(SliceLimits::max_sheets));
-      else
+      } else {
         sheets.push_back(run);
+      }
     }
+  }
   return sheets;
 }
 
 double smoothing_length_of(const SlicedProfile& profile, std::optional<double> given) {
-  if (given || !profile.is_smoothed || profile.slices.size() < 2)
+  if (given || !profile.is_smoothed || profile.slices.size() < 2) {
     return given.value_or(0.0);
+  }
   std::vector<double> distances;
-  for (std::size_t i = 1; i < profile.slices.size(); ++i)
+  for (std::size_t i = 1; i < profile.slices.size(); ++i) {
     distances.push_back(profile.slices[i].place - profile.slices[i - 1].place);
+  }
   const auto median = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), median, distances.end());
   return smoothed_distances * *median;
@@ -113,8 +122,9 @@ std::vector<SurfaceSheet> sheets_of(const SlicedProfile& profile, double smoothi
       SheetSection section{i + 1, slice.place, &slice.curve, {0.0, slice.curve.length()}};
       if (slice.features.size() >= 2) {
         section.features.clear();
-        for (std::size_t k = extent.first_part; k <= extent.last_part + 1; ++k)
+        for (std::size_t k = extent.first_part; k <= extent.last_part + 1; ++k) {
           section.features.push_back(*slice.features[k]);
+        }
       }
       sections.push_back(std::move(section));
     }
@@ -122,23 +132,26 @@ std::vector<SurfaceSheet> sheets_of(const SlicedProfile& profile, double smoothi
     check_smoothing_length(profile.name, sections, smoothing_length, closes ? period : 0.0, unit);
     sheets.emplace_back(sections, smoothing_length, closes ? period : 0.0);
     memory += sheets.back().memory();
-    if (memory > SliceLimits::sheet_bytes)
+    if (memory > SliceLimits::sheet_bytes) {
       throw_invalid_argument("surfaces of profile " + profile.name,
                              short_text_of(1e-6 * static_cast<double>(memory)) + " MB",
                              "at most " + std::to_string(SliceLimits::sheet_bytes >> 20) +
                                  " MB; use fewer slices");
+    }
   }
-  if (sheets.empty())
+  if (sheets.empty()) {
     throw_invalid_argument("profile " + profile.name,
                            "no part in two slices that follow each other",
                            "features with a part in neighbouring slices");
+  }
   return sheets;
 }
 
 double distance_to_sheet(std::span<const SurfaceSheet> sheets, double along) {
   double distance = std::numeric_limits<double>::infinity();
-  for (const SurfaceSheet& sheet : sheets)
+  for (const SurfaceSheet& sheet : sheets) {
     distance = std::min(distance, distance_along(sheet, along));
+  }
   return distance;
 }
 
@@ -147,8 +160,9 @@ Curve widest_section(std::span<const SurfaceSheet> sheets, double along) {
   const SurfaceSheet* widest = sheets.data();
   double width = 0.0;
   for (const SurfaceSheet& sheet : sheets) {
-    if (distance_along(sheet, along) > nearest)
+    if (distance_along(sheet, along) > nearest) {
       continue;
+    }
     const double reach =
         sheet.at(sheet.across().end, along).at[0] - sheet.at(sheet.across().begin, along).at[0];
     if (reach > width) {

@@ -27,8 +27,9 @@ constexpr std::size_t most_listed = 10; // folds in a message; not a tuning cons
 /// whole curves.
 bool have_equal_nodes(std::span<const SheetSection> sections) {
   const SheetSection& first = sections.front();
-  if (first.features.front() != 0.0 || first.features.back() != first.curve->length())
+  if (first.features.front() != 0.0 || first.features.back() != first.curve->length()) {
     return false;
+  }
   return std::all_of(sections.begin(), sections.end(), [&](const SheetSection& section) {
     return section.features == first.features &&
            std::equal(section.curve->starts().begin(), section.curve->starts().end(),
@@ -41,13 +42,15 @@ bool have_equal_nodes(std::span<const SheetSection> sections) {
 std::vector<double> parameters_of(std::span<const SheetSection> sections) {
   std::vector<double> parameters = sections.front().features;
   if (std::all_of(sections.begin(), sections.end(),
-                  [&](const SheetSection& section) { return section.features == parameters; }))
+                  [&](const SheetSection& section) { return section.features == parameters; })) {
     return parameters;
+  }
   parameters.front() = 0.0;
   for (std::size_t k = 1; k < parameters.size(); ++k) {
     double longest = 0.0;
-    for (const SheetSection& section : sections)
+    for (const SheetSection& section : sections) {
       longest = std::max(longest, section.features[k] - section.features[k - 1]);
+    }
     parameters[k] = parameters[k - 1] + longest;
   }
   return parameters;
@@ -133,16 +136,18 @@ struct Weights {
 Quintic blended(const Quintic& value, const Quintic& next, const Quintic& second,
                 const Quintic& next_second, const Weights& w, bool is_value) {
   Quintic result{};
-  for (std::size_t i = 0; i < result.size(); ++i)
+  for (std::size_t i = 0; i < result.size(); ++i) {
     result[i] = (is_value ? value[i] : 0.0) + (w.of_change * (next[i] - value[i]) +
                                                (w.before * second[i] + w.after * next_second[i]));
+  }
   return result;
 }
 
 Quintic second_along(const Quintic& second, const Quintic& next_second, const AlongPlace& along) {
   Quintic result{};
-  for (std::size_t i = 0; i < result.size(); ++i)
+  for (std::size_t i = 0; i < result.size(); ++i) {
     result[i] = (1.0 - along.fraction) * second[i] + along.fraction * next_second[i];
+  }
   return result;
 }
 
@@ -155,13 +160,16 @@ SurfaceSheet::SurfaceSheet(std::span<const SheetSection> sections, double smooth
     places.push_back(section.place);
     const std::vector<double>& features = section.features;
     const std::string name = "features of slice " + std::to_string(section.number);
-    if (features.size() < 2 || features.size() != sections.front().features.size())
+    if (features.size() < 2 || features.size() != sections.front().features.size()) {
       throw_invalid_argument(name, std::to_string(features.size()),
                              "at least 2, the number of the other slices");
-    for (std::size_t k = 0; k + 1 < features.size(); ++k)
-      if (!(features[k + 1] > features[k]))
+    }
+    for (std::size_t k = 0; k + 1 < features.size(); ++k) {
+      if (!(features[k + 1] > features[k])) {
         throw_invalid_argument(name, text_of(features[k + 1]) + " after " + text_of(features[k]),
                                "arc lengths in ascending order, none beyond the end of the slice");
+      }
+    }
   }
   spline_ = AlongSpline(places, smoothing_length, period);
   fill(sections);
@@ -181,16 +189,19 @@ void SurfaceSheet::fill(std::span<const SheetSection> sections) {
     nodes = nodes_between(features);
   }
   const std::size_t pieces = nodes.intervals.size();
-  if (pieces > max_nodes / knots)
+  if (pieces > max_nodes / knots) {
     throw_invalid_argument("nodes of the surface, of " + std::to_string(pieces) +
                                " pieces across and " + std::to_string(knots) + " knots along",
                            std::to_string(pieces * knots),
                            "at most " + std::to_string(max_nodes) + "; use fewer slices");
+  }
   nodes_.resize(pieces * knots);
   std::vector<std::vector<Curve::Polynomials>> of_sections;
-  if (!keeps)
-    for (const SheetSection& section : sections)
+  if (!keeps) {
+    for (const SheetSection& section : sections) {
       of_sections.push_back(sampled(section, features, nodes));
+    }
+  }
   starts_ = std::move(nodes.parameters);
   std::vector<double> lateral(sections.size());
   std::vector<double> height(sections.size());
@@ -249,23 +260,27 @@ void SurfaceSheet::refuse_folds(std::span<const SheetSection> sections) const {
   for (std::size_t interval = 0; interval + 1 < spline_.knots().size(); ++interval) {
     const std::size_t before = spline_.place_before(interval);
     for (std::size_t piece = 0; piece + 1 < starts_.size() && last != before; ++piece) {
-      if (!is_folded(piece, interval))
+      if (!is_folded(piece, interval)) {
         continue;
+      }
       last = before;
       const std::string pair = std::to_string(sections[before].number) + " and " +
                                std::to_string(sections[(before + 1) % sections.size()].number);
-      if (++count == 1)
+      if (++count == 1) {
         first = pair + ", at lateral " + short_text_of(node(piece, interval).lateral[0]) + " mm";
-      else if (count <= most_listed)
+      } else if (count <= most_listed) {
         others.append(", ").append(pair);
+      }
     }
   }
-  if (count > most_listed)
+  if (count > most_listed) {
     others += " and more";
-  if (count > 0)
+  }
+  if (count > 0) {
     throw Error(ErrorCode::invalid_argument,
                 "the surface folds between slices " + first + others +
                     ": features must join corresponding places of the slices");
+  }
 }
 
 std::size_t SurfaceSheet::piece_at(double across) const {
@@ -350,10 +365,12 @@ double root_of(const Quintic& polynomial, double value, double length, bool asce
     const double off = v.value - value;
     ((off > 0.0) == ascends ? high : low) = distance;
     double next = distance - off / v.first;
-    if (!(next > low && next < high))
+    if (!(next > low && next < high)) {
       next = 0.5 * (low + high);
-    if (off == 0.0 || next <= low || next >= high || next == distance)
+    }
+    if (off == 0.0 || next <= low || next >= high || next == distance) {
       return distance;
+    }
     distance = next;
   }
 }
@@ -361,8 +378,9 @@ double root_of(const Quintic& polynomial, double value, double length, bool asce
 } // namespace
 
 std::optional<GraphPoint> SurfaceSheet::over(double along, double lateral) const {
-  if (!holds(along))
+  if (!holds(along)) {
     return std::nullopt;
+  }
   const AlongPlace place = spline_.locate(along);
   const Weights weights(place, 0);
   const BeginLaterals begins(*this, place);
@@ -371,8 +389,9 @@ std::optional<GraphPoint> SurfaceSheet::over(double along, double lateral) const
   for (std::size_t piece = 0; piece + 1 < starts_.size(); ++piece) {
     const double at_low = at_high;
     at_high = begins[piece + 1] - lateral;
-    if ((at_low > 0.0 && at_high > 0.0) || (at_low < 0.0 && at_high < 0.0))
+    if ((at_low > 0.0 && at_high > 0.0) || (at_low < 0.0 && at_high < 0.0)) {
       continue;
+    }
     const Node& a = node(piece, place.interval);
     const Node& b = node(piece, place.interval + 1);
     const Quintic section =
@@ -381,8 +400,9 @@ std::optional<GraphPoint> SurfaceSheet::over(double along, double lateral) const
         root_of(section, lateral, starts_[piece + 1] - starts_[piece], at_low < at_high);
     const SheetPoint point = at(piece, distance, place);
     if (std::abs(point.across[0]) <
-        least_lateral_share * std::hypot(point.across[0], point.across[1]))
+        least_lateral_share * std::hypot(point.across[0], point.across[1])) {
       continue;
+    }
     if (!highest || point.at[1] > highest->height) {
       highest = graph_of(point);
       highest->across = starts_[piece] + distance;
@@ -393,8 +413,9 @@ std::optional<GraphPoint> SurfaceSheet::over(double along, double lateral) const
 
 void SurfaceSheet::raise_to(double along, std::span<const double> laterals,
                             std::span<double> heights) const {
-  if (!holds(along))
+  if (!holds(along)) {
     return;
+  }
   const AlongPlace place = spline_.locate(along);
   const Weights weights(place, 0);
   const BeginLaterals begins(*this, place);
@@ -403,8 +424,9 @@ void SurfaceSheet::raise_to(double along, std::span<const double> laterals,
     const double begin = next;
     next = begins[piece + 1];
     const auto first = std::ranges::lower_bound(laterals, begin);
-    if (!(begin < next) || first == laterals.end() || *first > next)
+    if (!(begin < next) || first == laterals.end() || *first > next) {
       continue;
+    }
     const Node& a = node(piece, place.interval);
     const Node& b = node(piece, place.interval + 1);
     const Quintic lateral =

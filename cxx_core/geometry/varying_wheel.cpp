@@ -16,8 +16,9 @@ constexpr int max_order = 1000;
 constexpr double revolution = 2.0 * std::numbers::pi;
 
 double checked_radius(double radius) {
-  if (!(radius > 0.0) || !std::isfinite(radius))
+  if (!(radius > 0.0) || !std::isfinite(radius)) {
     throw_invalid_argument("radius of the wheel", radius, "a positive finite number, mm");
+  }
   return radius;
 }
 
@@ -53,18 +54,24 @@ void VaryingWheel::check() const {
   double depth = 0.0; // of all harmonics together
   for (const RadiusHarmonic& harmonic : harmonics_) {
     const std::string name = "harmonic of order " + std::to_string(harmonic.order);
-    if (harmonic.order < 1 || harmonic.order > max_order)
+    if (harmonic.order < 1 || harmonic.order > max_order) {
       throw_invalid_argument(name, std::to_string(harmonic.order),
                              "an order of 1 to " + std::to_string(max_order));
-    if (!std::isfinite(harmonic.amplitude) || !std::isfinite(harmonic.phase))
+    }
+    if (!std::isfinite(harmonic.amplitude) || !std::isfinite(harmonic.phase)) {
       throw_invalid_argument(name, harmonic.amplitude, "a finite amplitude and phase");
+    }
     depth += std::abs(harmonic.amplitude);
   }
-  for (const SurfaceSheet& sheet : sheets_)
-    for (const double theta : sheet.knots())
-      for (const double across : sheet.starts())
-        if (const double least = radius_ + sheet.at(across, theta).at[1] - depth; !(least > 0.0))
+  for (const SurfaceSheet& sheet : sheets_) {
+    for (const double theta : sheet.knots()) {
+      for (const double across : sheet.starts()) {
+        if (const double least = radius_ + sheet.at(across, theta).at[1] - depth; !(least > 0.0)) {
           throw_invalid_argument("radius of the wheel", least, "positive at all angles, mm");
+        }
+      }
+    }
+  }
 }
 
 VaryingWheel::Wave VaryingWheel::wave(double theta) const {

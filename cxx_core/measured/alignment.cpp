@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "measured/constants.hpp"
+
 extern "C" {
 /// LAPACK: solves A x = b with A symmetric positive definite.
 void dposv_(const char* uplo, const int* n, const int* nrhs, double* a, const int* lda, double* b,
@@ -13,30 +15,6 @@ void dposv_(const char* uplo, const int* n, const int* nrhs, double* a, const in
 
 namespace wrc {
 namespace {
-
-/// Bounds of the distances that count, mm, from the first to the last stage, and steps of each.
-/// origin: reasoned: files are a few mm from their place; the last bound is ten times the noise of
-/// instruments and below the wear of a used profile.
-constexpr std::array<double, 7> bounds{5.0, 3.0, 2.0, 1.0, 0.5, 0.3, 0.2};
-constexpr int steps_of_stage = 4;
-/// Steps of the last stage.
-/// origin: bound: ten settle to 1e-9 rad.
-constexpr int last_steps = 12;
-/// The bound falls no further if a smaller share of the points is left.
-/// origin: reasoned: a smaller part may fit anywhere.
-constexpr double least_share = 0.5;
-/// Points that are looked at, and distance of the nominal's points among which feet begin, mm.
-/// origin: bound: others tell nothing new about a rigid motion.
-constexpr std::size_t most_points = 400;
-constexpr double foot_spacing = 0.5;
-/// Fewer points beside the nominal determine nothing.
-constexpr std::size_t least_points = 20; // origin: reasoned
-/// Length that makes rotations comparable with shifts, mm.
-/// origin: bound: only rounding depends on it.
-constexpr double lever = 50.0;
-/// Smallest share of an unknown that the others do not explain, in squares.
-/// origin: reasoned: of S1002 it is 0.1, of a tread without a flange 1e-3, of a line 0.
-constexpr double least_pivot = 1e-5;
 
 struct Foot {
   Position normal{};
@@ -49,9 +27,10 @@ public:
   explicit Nominal(const Curve& curve) : curve_(curve) {
     const auto count =
         std::max<std::size_t>(2, static_cast<std::size_t>(curve.length() / foot_spacing));
-    for (std::size_t i = 0; i <= count; ++i)
+    for (std::size_t i = 0; i <= count; ++i) {
       samples_.push_back(
           curve.at(curve.length() * static_cast<double>(i) / static_cast<double>(count)));
+    }
   }
 
   /// None beyond the ends.
@@ -69,10 +48,12 @@ public:
     }
     const double spacing = curve_.length() / static_cast<double>(samples_.size() - 1);
     double arc = spacing * static_cast<double>(nearest);
-    for (int step = 0; step < 3; ++step)
+    for (int step = 0; step < 3; ++step) {
       arc += std::clamp(along(curve_.at(arc), point), -spacing, spacing);
-    if (arc <= 0.0 || arc >= curve_.length())
+    }
+    if (arc <= 0.0 || arc >= curve_.length()) {
       return std::nullopt;
+    }
     const CurvePoint at = curve_.at(arc);
     const Position normal{-at.tangent_height, at.tangent_lateral};
     return Foot{normal, normal[0] * (point[0] - at.lateral) + normal[1] * (point[1] - at.height)};
@@ -99,9 +80,11 @@ std::optional<Vector> solution_of(Matrix a, Vector b) {
   const int count = 1;
   int info = 0;
   dposv_(&upper, &order, &count, a[0].data(), &order, b.data(), &order, &info);
-  for (std::size_t i = 0; i < 3; ++i)
-    if (info != 0 || !(a[i][i] * a[i][i] > least_pivot * whole[i]))
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (info != 0 || !(a[i][i] * a[i][i] > least_pivot * whole[i])) {
       return std::nullopt;
+    }
+  }
   return b;
 }
 
@@ -115,12 +98,14 @@ bool improve(Alignment& alignment, const Nominal& nominal, std::span<const Posit
   for (const Position& point : points) {
     const Position moved = alignment.motion.of(point);
     const std::optional<Foot> foot = nominal.foot_of(moved);
-    if (!foot)
+    if (!foot) {
       continue;
+    }
     ++beside;
     const double share = foot->distance / alignment.bound;
-    if (std::abs(share) >= 1.0)
+    if (std::abs(share) >= 1.0) {
       continue;
+    }
     ++counted;
     squares += foot->distance * foot->distance;
     const double weight = (1.0 - share * share) * (1.0 - share * share);
@@ -128,17 +113,20 @@ bool improve(Alignment& alignment, const Nominal& nominal, std::span<const Posit
                      (foot->normal[1] * moved[0] - foot->normal[0] * moved[1]) / lever};
     for (std::size_t i = 0; i < 3; ++i) {
       b[i] -= weight * row[i] * foot->distance;
-      for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t j = 0; j < 3; ++j) {
         a[i][j] += weight * row[i] * row[j];
+      }
     }
   }
-  if (counted < least_points)
+  if (counted < least_aligned_points) {
     return false;
+  }
   alignment.share = static_cast<double>(counted) / static_cast<double>(beside);
   alignment.deviation = std::sqrt(squares / static_cast<double>(counted));
   const std::optional<Vector> step = solution_of(a, b);
-  if (!step)
+  if (!step) {
     return false;
+  }
   const RigidMotion last{(*step)[2] / lever, {(*step)[0], (*step)[1]}};
   alignment.motion.shift = last.of(alignment.motion.shift);
   alignment.motion.rotation += last.rotation;
@@ -155,19 +143,24 @@ Position RigidMotion::of(const Position& point) const {
 
 std::optional<Alignment> alignment_to(const Curve& nominal, std::span<const Position> points) {
   std::vector<Position> some;
-  const std::size_t every = 1 + points.size() / most_points;
-  for (std::size_t i = 0; i < points.size(); i += every)
+  const std::size_t every = 1 + points.size() / aligned_points;
+  for (std::size_t i = 0; i < points.size(); i += every) {
     some.push_back(points[i]);
+  }
   const Nominal feet(nominal);
   Alignment best;
-  for (const double bound : bounds) {
+  for (const double bound : alignment_bounds) {
     Alignment next = best;
     next.bound = bound;
-    for (int step = 0; step < (bound == bounds.back() ? last_steps : steps_of_stage); ++step)
-      if (!improve(next, feet, some))
-        return bound == bounds.front() ? std::nullopt : std::optional(best);
-    if (next.share < least_share)
-      return bound == bounds.front() ? std::nullopt : std::optional(best);
+    for (int step = 0; step < (bound == alignment_bounds.back() ? last_steps : steps_of_stage);
+         ++step) {
+      if (!improve(next, feet, some)) {
+        return bound == alignment_bounds.front() ? std::nullopt : std::optional(best);
+      }
+    }
+    if (next.share < least_aligned_share) {
+      return bound == alignment_bounds.front() ? std::nullopt : std::optional(best);
+    }
     best = next;
   }
   return best;

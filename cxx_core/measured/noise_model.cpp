@@ -7,61 +7,10 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "measured/constants.hpp"
 
 namespace wrc {
 namespace {
-
-/// Lengths of correlated noise that are tried, mm.
-/// origin: reasoned: optical scanners average over 0.1 to 1 mm; wheels have longer waves.
-constexpr std::array correlations{0.3, 0.6, 1.2, 2.4};
-/// Points farther apart, mm, have independent noise.
-/// origin: bound: keeps the band narrow; at the longest correlation a half is left there.
-constexpr double uncorrelated_distance = 1.5;
-/// Noise is correlated if minus twice the logarithm of the likelihood falls by more than this.
-/// origin: reasoned: by chance it falls by 8 in one of 200 cases (chi squared of one freedom).
-constexpr double notable_gain = 8.0;
-/// Intensities where the data say nothing, mm^-3 and mm^-1; they count as this number of values.
-/// origin: measured (drivers/evidence/core/measure_noise.cpp): the treads of five wheels have 4e-7
-/// to 2e-4 and 1e-8 to 3e-4 at waves of 7 to 20 mm; 0.2 is less than one halved wave contributes.
-constexpr double usual_drift = 3e-6;
-constexpr double usual_waviness = 1e-5;
-constexpr double prior_count = 0.2;
-/// Half the neighbourhood of the drift in halved waves, bounds in mm; twice that for waviness.
-/// origin: measured (drivers/evidence/core/measure_noise.cpp): 0.75 to 1.2 waves make no difference
-/// among 300 samples; half as much leaves 91 instead of 96 of 100 truths within the spread.
-constexpr double neighbourhood = 1.0;
-constexpr double least_neighbourhood = 2.0;
-constexpr double greatest_neighbourhood = 20.0;
-constexpr double waviness_neighbourhoods = 2.0;
-constexpr double least_of_waviness = 6.0;
-/// Rounds of the fixed point, of a first fit and of one that begins with a fit.
-/// origin: measured: sigma settles to 1 % within 10 rounds, the likelihood within 30.
-constexpr int first_rounds = 40;
-constexpr int later_rounds = 12;
-/// How often weights follow the residuals.
-/// origin: bound: a line with kinks settles in two.
-constexpr int weightings = 3;
-/// Residuals beyond this many medians lose weight.
-/// origin: derived: three standard deviations of normal noise.
-constexpr double influence_limit = 3.0 * 1.4826;
-/// Change of logarithms at which it has settled.
-/// origin: reasoned: intensities enter wavelengths by their sixth root.
-constexpr double settled_variance = 0.02;
-constexpr double settled_intensity = 0.2;
-/// First intensities, with all scatter as noise and with a part of it; least variance, mm^2.
-/// origin: bound: changes no result that settles; 1e-10 mm is less than any rounding.
-constexpr double first_intensity = 1e-5;
-constexpr double rough_drift = 1.0;
-constexpr double rough_waviness = 1e-2;
-constexpr double rough_share = 1e-3;
-constexpr double least_variance = 1e-20;
-/// Points closer than this, mm, count as this far apart, lest equal places make a singular system.
-/// origin: bound: below the distance that readers leave between points.
-constexpr double least_distance = 1e-3;
-/// The residual's least share of the squares, against rounding; the least freedom of the noise.
-/// origin: bound.
-constexpr double least_residual = 1e-12;
-constexpr double least_freedom = 0.01;
 
 /// Four values of cubic B-splines.
 struct Row {
@@ -113,19 +62,22 @@ Sums sums_of(const SplineBasis& basis, const OffsetData& data, double correlatio
     const double scale = 1.0 / std::sqrt(variance);
     wide.first = tie > 0.0 ? before.first : row.first;
     wide.value.assign(row.first + 4 - wide.first, 0.0);
-    for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t k = 0; k < 4; ++k) {
       wide.value[row.first - wide.first + k] += scale * data.weight[i] * row.value[k];
+    }
     wide.offset = scale * data.weight[i] * data.offset[i];
     if (tie > 0.0) {
       const double factor = scale * tie * data.weight[i - 1];
-      for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t k = 0; k < 4; ++k) {
         wide.value[k] -= factor * before.value[k];
+      }
       wide.offset -= factor * data.offset[i - 1];
     }
     for (std::size_t a = 0; a < wide.value.size(); ++a) {
       sums.right_side[wide.first + a] += wide.value[a] * wide.offset;
-      for (std::size_t b = 0; b <= a; ++b)
+      for (std::size_t b = 0; b <= a; ++b) {
         sums.matrix.at(wide.first + a, wide.first + b) += wide.value[a] * wide.value[b];
+      }
     }
     sums.squares += wide.offset * wide.offset;
     sums.log_determinant += std::log(variance);
@@ -149,16 +101,19 @@ template <std::size_t count> struct Combination {
 
   [[nodiscard]] double value(const std::vector<double>& unknowns) const {
     double sum = 0.0;
-    for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t a = 0; a < count; ++a) {
       sum += factor[a] * unknowns[index[a]];
+    }
     return sum;
   }
   /// Its variance under a covariance.
   [[nodiscard]] double variance(const BandMatrix& covariance) const {
     double sum = 0.0;
-    for (std::size_t a = 0; a < count; ++a)
-      for (std::size_t b = 0; b < count; ++b)
+    for (std::size_t a = 0; a < count; ++a) {
+      for (std::size_t b = 0; b < count; ++b) {
         sum += factor[a] * factor[b] * covariance.value(index[a], index[b]);
+      }
+    }
     return sum;
   }
   /// Adds weight * (combination - target)^2.
@@ -166,9 +121,11 @@ template <std::size_t count> struct Combination {
               double target) const {
     for (std::size_t a = 0; a < count; ++a) {
       right_side[index[a]] += weight * target * factor[a];
-      for (std::size_t b = 0; b < count; ++b)
-        if (index[b] <= index[a])
+      for (std::size_t b = 0; b < count; ++b) {
+        if (index[b] <= index[a]) {
           matrix.at(index[a], index[b]) += weight * factor[a] * factor[b];
+        }
+      }
     }
   }
 };
@@ -217,10 +174,12 @@ public:
       const double variance = component.intensity[j] * component.unit;
       sum += std::log(variance) + value * value / variance;
     };
-    for (std::size_t j = 0; j < basis_.intervals; ++j)
+    for (std::size_t j = 0; j < basis_.intervals; ++j) {
       add(drift_, j, drift_at(j).value(unknowns_));
-    for (std::size_t j = 0; j <= basis_.intervals; ++j)
+    }
+    for (std::size_t j = 0; j <= basis_.intervals; ++j) {
       add(waviness_, j, waviness_at(j).value(unknowns_) + curvature_[j]);
+    }
     return sum;
   }
   [[nodiscard]] double density() const {
@@ -232,10 +191,12 @@ public:
     fit.basis = basis_;
     fit.deviation = std::sqrt(variance_);
     fit.correlation = correlation_;
-    for (std::size_t k = 0; k < basis_.size(); ++k)
+    for (std::size_t k = 0; k < basis_.size(); ++k) {
       fit.coefficients.push_back(unknowns_[coefficient_index(k)]);
-    for (std::size_t j = 0; j < basis_.intervals; ++j)
+    }
+    for (std::size_t j = 0; j < basis_.intervals; ++j) {
       fit.wavelength.push_back(wavelength_at(j));
+    }
     fit.drift = drift_.intensity;
     fit.waviness = waviness_.intensity;
     fit.precision = factor_;
@@ -259,8 +220,9 @@ private:
       const double here = unknowns_[coefficient_index(i)];
       double product = 0.0;
       for (std::size_t k = i >= sums_.matrix.width() ? i - sums_.matrix.width() : 0;
-           k <= std::min(n - 1, i + sums_.matrix.width()); ++k)
+           k <= std::min(n - 1, i + sums_.matrix.width()); ++k) {
         product += sums_.matrix.value(i, k) * unknowns_[coefficient_index(k)];
+      }
       sum += here * (product - 2.0 * sums_.right_side[i]);
     }
     return std::max(sum, std::max(least_residual * sums_.squares, least_variance * sums_.count));
@@ -271,15 +233,18 @@ private:
     std::vector<double> right_side(2 * n, 0.0);
     for (std::size_t j = 0; j < n; ++j) {
       right_side[coefficient_index(j)] = sums_.right_side[j] / variance_;
-      for (std::size_t i = j; i <= std::min(n - 1, j + sums_.matrix.width()); ++i)
+      for (std::size_t i = j; i <= std::min(n - 1, j + sums_.matrix.width()); ++i) {
         matrix.at(coefficient_index(i), coefficient_index(j)) = sums_.matrix.at(i, j) / variance_;
+      }
     }
     matrix.at(1, 1) = matrix.at(2 * n - 1, 2 * n - 1) = 1.0; // no unknowns
-    for (std::size_t j = 0; j < basis_.intervals; ++j)
+    for (std::size_t j = 0; j < basis_.intervals; ++j) {
       drift_at(j).add_to(matrix, right_side, 1.0 / (drift_.intensity[j] * drift_.unit), 0.0);
-    for (std::size_t j = 0; j <= basis_.intervals; ++j)
+    }
+    for (std::size_t j = 0; j <= basis_.intervals; ++j) {
       waviness_at(j).add_to(matrix, right_side, 1.0 / (waviness_.intensity[j] * waviness_.unit),
                             -curvature_[j]);
+    }
     factor_ = std::make_shared<const BandCholesky>(std::move(matrix));
     unknowns_ = factor_->solve(std::move(right_side));
   }
@@ -295,8 +260,8 @@ private:
     std::vector<double> near_drift;
     std::vector<double> near_waviness;
     for (std::size_t j = 0; j < basis_.intervals; ++j) {
-      near_drift.push_back(std::clamp(neighbourhood * wavelength_at(j), least_neighbourhood,
-                                      greatest_neighbourhood));
+      near_drift.push_back(
+          std::clamp(wavelength_at(j), drift_neighbourhood[0], drift_neighbourhood[1]));
       near_waviness.push_back(
           std::max(least_of_waviness, waviness_neighbourhoods * near_drift.back()));
     }
@@ -312,10 +277,12 @@ private:
   [[nodiscard]] double freedom(const BandMatrix& covariance) const {
     const std::size_t n = basis_.size();
     double trace = 0.0;
-    for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = j; i <= std::min(n - 1, j + sums_.matrix.width()); ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      for (std::size_t i = j; i <= std::min(n - 1, j + sums_.matrix.width()); ++i) {
         trace += (i == j ? 1.0 : 2.0) * sums_.matrix.at(i, j) *
                  covariance.at(coefficient_index(i), coefficient_index(j));
+      }
+    }
     return std::max(sums_.count - trace / variance_, least_freedom * sums_.count);
   }
   /// A component's squares, and how much of each the data decide.
@@ -378,39 +345,45 @@ private:
 double SplineBasis::value(std::span<const double> coefficients, double arc) const {
   const Row row = row_at(*this, arc);
   double sum = 0.0;
-  for (std::size_t k = 0; k < 4; ++k)
+  for (std::size_t k = 0; k < 4; ++k) {
     sum += row.value[k] * coefficients[row.first + k];
+  }
   return sum;
 }
 
 std::vector<double> weights_of(std::span<const double> residuals) {
   std::vector<double> sizes;
-  for (const double residual : residuals)
+  for (const double residual : residuals) {
     sizes.push_back(std::abs(residual));
+  }
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
   const double limit = std::max(influence_limit * *middle, std::sqrt(least_variance));
   std::vector<double> weights;
-  for (const double residual : residuals)
+  for (const double residual : residuals) {
     weights.push_back(std::sqrt(limit / std::max(limit, std::abs(residual))));
+  }
   return weights;
 }
 
 std::vector<double> NoiseFit::residuals(const OffsetData& data) const {
   std::vector<double> residuals;
-  for (std::size_t i = 0; i < data.arc.size(); ++i)
+  for (std::size_t i = 0; i < data.arc.size(); ++i) {
     residuals.push_back(data.offset[i] - basis.value(coefficients, data.arc[i]));
+  }
   return residuals;
 }
 
 std::vector<double> NoiseFit::draw(const std::function<double()>& normal) const {
   std::vector<double> numbers(2 * coefficients.size());
-  for (double& number : numbers)
+  for (double& number : numbers) {
     number = normal();
+  }
   numbers = precision->solve_upper(std::move(numbers));
   std::vector<double> drawn;
-  for (std::size_t k = 0; k < coefficients.size(); ++k)
+  for (std::size_t k = 0; k < coefficients.size(); ++k) {
     drawn.push_back(coefficients[k] + numbers[coefficient_index(k)]);
+  }
   return drawn;
 }
 
@@ -426,8 +399,9 @@ struct Begin {
 /// All scatter is noise.
 Begin begin_smooth(const SplineBasis& basis, const OffsetData& data) {
   double square = 0.0;
-  for (const double offset : data.offset)
+  for (const double offset : data.offset) {
     square += offset * offset;
+  }
   const double variance =
       std::max(square / static_cast<double>(data.offset.size()), least_variance);
   return {variance, std::vector<double>(basis.intervals, first_intensity),
@@ -437,8 +411,9 @@ Begin begin_smooth(const SplineBasis& basis, const OffsetData& data) {
 /// Takes little of the differences from point to point as noise.
 Begin begin_rough(const SplineBasis& basis, const OffsetData& data) {
   double square = 0.0;
-  for (std::size_t i = 1; i < data.offset.size(); ++i)
+  for (std::size_t i = 1; i < data.offset.size(); ++i) {
     square += std::pow(data.offset[i] - data.offset[i - 1], 2);
+  }
   const double variance =
       std::max(rough_share * square / static_cast<double>(data.offset.size()), least_variance);
   return {variance, std::vector<double>(basis.intervals, rough_drift),
@@ -469,19 +444,22 @@ NoiseFit fit_noise(const SplineBasis& basis, OffsetData data, std::span<const do
   NoiseFit best = fit_from(basis, data, curvature, 0.0, smooth, first_rounds);
   const NoiseFit other =
       fit_from(basis, data, curvature, 0.0, begin_rough(basis, data), first_rounds);
-  if (other.deviance < best.deviance)
+  if (other.deviance < best.deviance) {
     best = other;
+  }
   for (int i = 1; i < weightings; ++i) {
     data.weight = weights_of(best.residuals(data));
     best = fit_from(basis, data, curvature, 0.0, begin_with(best), later_rounds);
   }
   const double spacing = basis.length / static_cast<double>(data.arc.size());
-  for (const double correlation : correlations)
+  for (const double correlation : correlations) {
     if (correlation > 0.5 * spacing) {
       NoiseFit tried = fit_from(basis, data, curvature, correlation, smooth, first_rounds);
-      if (tried.deviance < best.deviance - notable_gain)
+      if (tried.deviance < best.deviance - notable_gain) {
         best = std::move(tried);
+      }
     }
+  }
   return best;
 }
 

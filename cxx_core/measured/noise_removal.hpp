@@ -26,10 +26,6 @@ struct NoiseRemoval {
   double long_wave = 0.0;
 };
 
-/// Lines that are drawn.
-/// origin: reasoned: their deviation is known to 22 %, at a cost of ten solutions.
-inline constexpr std::size_t likely_lines = 10;
-
 /// Points in the order of profile.hpp. Throws Error for points that a curve cannot join.
 NoiseRemoval remove_noise(std::span<const Position> points);
 

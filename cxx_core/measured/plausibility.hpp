@@ -13,10 +13,6 @@
 
 namespace wrc::reading {
 
-/// Height at the taping line that is another origin of heights and no rounding of a drawing, mm.
-/// origin: reasoned: coefficients of standards leave 0.03 mm; the radius would be wrong by as much.
-inline constexpr double tape_height_tolerance = 1.0;
-
 /// Points in the order of profile.hpp; `tape_offset` is the distance of a wheel's taping line from
 /// its flange back. If they are aligned to a nominal profile, a worn tread is not at height 0.
 void check_points(std::span<const Position> points, ProfileKind kind, double tape_offset, Log& log,

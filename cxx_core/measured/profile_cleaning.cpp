@@ -2,67 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/error.hpp"
+#include "measured/constants.hpp"
+#include "measured/plausible_shapes.hpp"
 #include "measured/profile_shape.hpp"
 #include "measured/read_options.hpp"
 
 namespace wrc::reading {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0; // unit, not a tuning constant
-
-/// A side of a closed outline this many times as long as the median distance of its points, and of
-/// this length in mm, closes it.
-/// origin: reasoned: points of measurements and drawings are 0.1 to 2 mm apart, running surfaces
-/// 70 mm or more wide.
-constexpr double closing_ratio = 5.0;
-constexpr double closing_length = 10.0;
-
-/// Ends of an outline that are one point, mm; and those so close, in median distances and as a
-/// share of its length, that another point would stand between them if it was open. origin:
-/// reasoned: digits of files are 1e-4 mm or coarser; measurements end where they began or 70 mm
-/// away.
-constexpr double same_point = 1e-9;
-constexpr double opening_ratio = 3.0;
-constexpr double opening_share = 0.05;
-
-/// A point off the line of its neighbours by more than this, mm, around which the line turns back
-/// and forth by more than this angle, is no part of the profile. origin: reasoned: points 0.25 mm
-/// apart that scatter by 0.1 mm turn by 90 degrees; the sharpest edges of profiles turn one way
-/// only.
-constexpr double least_outlier = 0.15;
-constexpr double least_wiggle = 100.0 * degree;
-/// Less off than this, mm, an outlier is scatter of the instrument, whose removal is no guess.
-/// origin: measured: a wheel of the collection has one of 0.4 mm at its flange tip.
-constexpr double least_spike = 1.0;
-/// Largest number of points in a row that may be off.
-/// origin: reasoned: more are a step or a second line, which cannot be distinguished from the
-/// first.
-constexpr std::size_t longest_outlier = 3;
-/// Largest number of outliers that are removed, and points per further outlier; a profile with more
-/// is not a line with a few faults.
-/// origin: reasoned.
-constexpr std::size_t most_outliers = 20;
-constexpr std::size_t points_per_outlier = 20;
-/// An end is off if it is this far away in mm and in median distances, and around a corner.
-/// origin: reasoned: a row of zeros is 30 mm or more away; extended side faces are below 10.
-constexpr double end_distance = 10.0;
-constexpr double end_ratio = 10.0;
-constexpr double end_corner = 45.0 * degree;
-
-/// How far below the highest point a running surface can reach, mm.
-/// origin: published: rail heads of EN 13674-1 are up to 38 mm high at their side faces; below a
-/// flange tip lie its height, 28, and rims measured down to 40 below the tread.
-constexpr double rail_depth = 40.0;
-constexpr double wheel_depth = 75.0;
-
-/// Angle from direction a-b to direction b-c.
-double turn(const Position& a, const Position& b, const Position& c) {
-  return std::remainder(std::atan2(c[1] - b[1], c[0] - b[0]) - std::atan2(b[1] - a[1], b[0] - a[0]),
-                        2.0 * std::numbers::pi);
-}
 
 /// Distance of a point from the line between two others, which may coincide.
 double distance_from_chord(const Position& point, const Position& a, const Position& b) {
@@ -87,9 +35,10 @@ double wiggle(const std::vector<Position>& points, std::size_t first, std::size_
   double sum = 0.0;
   double total = 0.0;
   for (std::size_t i = first - 1; i <= first + count; ++i) {
-    if (i == 0 || i + 1 >= points.size())
+    if (i == 0 || i + 1 >= points.size()) {
       continue;
-    const double angle = turn(points[i - 1], points[i], points[i + 1]);
+    }
+    const double angle = angle_between(points[i - 1], points[i], points[i], points[i + 1]);
     sum += angle;
     total += std::abs(angle);
   }
@@ -99,7 +48,7 @@ double wiggle(const std::vector<Position>& points, std::size_t first, std::size_
 /// The run of few points farthest off the line of its neighbours.
 Outlier worst_outlier(const std::vector<Position>& points) {
   Outlier worst;
-  for (std::size_t count = 1; count <= longest_outlier; ++count)
+  for (std::size_t count = 1; count <= steps_of_line; ++count) {
     for (std::size_t first = 1; first + count < points.size(); ++first) {
       double distance = 0.0; // of the nearest: all of a run are off
       for (std::size_t i = first; i < first + count; ++i) {
@@ -108,9 +57,11 @@ Outlier worst_outlier(const std::vector<Position>& points) {
         distance = i == first ? each : std::min(distance, each);
       }
       if (distance > least_outlier && distance > worst.distance &&
-          wiggle(points, first, count) > least_wiggle)
+          wiggle(points, first, count) > least_wiggle) {
         worst = {first, count, distance};
+      }
     }
+  }
   return worst;
 }
 
@@ -123,8 +74,8 @@ void remove(RawProfile& raw, std::size_t first, std::size_t count) {
 
 bool end_is_off(const Position& end, const Position& next, const Position& third, double spacing) {
   const double distance = distance_between(end, next);
-  return distance > end_distance && distance > end_ratio * spacing &&
-         std::abs(turn(end, next, third)) > end_corner;
+  return distance > farthest_neighbour && distance > end_ratio * spacing &&
+         std::abs(angle_between(end, next, next, third)) > end_corner;
 }
 
 void remove_end(RawProfile& raw, bool last, double spacing, Log& log) {
@@ -132,8 +83,9 @@ void remove_end(RawProfile& raw, bool last, double spacing, Log& log) {
   const auto at = [&](std::size_t i) -> const Position& {
     return raw.points[last ? n - 1 - i : i];
   };
-  if (n < 4 || !end_is_off(at(0), at(1), at(2), spacing))
+  if (n < 4 || !end_is_off(at(0), at(1), at(2), spacing)) {
     return;
+  }
   log.guess("outlier removed: the " + std::string(last ? "last" : "first") + " point " +
                 place_text(at(0)) + ", " + fixed_text(distance_between(at(0), at(1))) +
                 " mm from the next one",
@@ -148,8 +100,9 @@ void open_outline(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) {
   const double spacing = median_spacing(points);
   const double opening = distance_between(points.front(), points.back());
   if (opening > same_point &&
-      (opening > opening_ratio * spacing || opening > opening_share * chord_length(points)))
+      (opening > opening_ratio * spacing || opening > opening_share * chord_length(points))) {
     return;
+  }
   std::size_t after = 0; // the longest side ends here
   double longest = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -161,14 +114,16 @@ void open_outline(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) {
   }
   const std::string from = "closed outline opened ";
   std::string where;
-  if (longest > std::max(closing_length, closing_ratio * spacing)) {
+  if (longest > std::max(farthest_neighbour, farthest_in_spacings * spacing)) {
     where = "at its longest side, " + fixed_text(longest) + " mm, at " + place_text(points[after]);
   } else {
     const std::optional<Head> head = head_of(points);
     const Position height = extent_of(points, 1);
-    if (kind == ProfileKind::wheel || !head || height[1] - height[0] <= 2.0 * rail_depth)
+    if (kind == ProfileKind::wheel || !head ||
+        height[1] - height[0] <= 2.0 * plausible::depth_of_rail) {
       log.refuse("a closed outline, whose running surface cannot be determined; leave only "
                  "the running surface");
+    }
     const auto lowest =
         std::min_element(points.begin(), points.end(), [&](const Position& a, const Position& b) {
           return head->is_down ? a[1] > b[1] : a[1] < b[1];
@@ -186,9 +141,10 @@ void open_outline(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) {
 }
 
 void remove_doubles(RawProfile& raw, double least, Log& log) {
-  if (const std::size_t dropped = drop_close_points(raw.points, least))
+  if (const std::size_t dropped = drop_close_points(raw.points, least)) {
     log.note(std::to_string(dropped) + " points closer than " + text_of(least) +
              " mm to the previous one dropped");
+  }
 }
 
 void remove_outliers(RawProfile& raw, Log& log) {
@@ -212,10 +168,11 @@ void remove_outliers(RawProfile& raw, Log& log) {
         (worst.count == 1 ? "point " : std::to_string(worst.count) + " points from ") +
         place_text(place) + ", " + fixed_text(worst.distance) +
         " mm off the line of the neighbours";
-    if (worst.distance < least_spike)
+    if (worst.distance < least_spike) {
       log.note(text);
-    else
+    } else {
       log.guess(text, "remove it");
+    }
     remove(raw, worst.first, worst.count);
     removed += worst.count;
   }
@@ -223,20 +180,23 @@ void remove_outliers(RawProfile& raw, Log& log) {
 
 void cut_ends(RawProfile& raw, ProfileKind kind, Log& log) {
   std::vector<Position>& points = raw.points;
-  const double depth = kind == ProfileKind::rail ? rail_depth : wheel_depth;
+  const double depth =
+      kind == ProfileKind::rail ? plausible::depth_of_rail : plausible::depth_of_wheel;
   const double least = extent_of(points, 1)[1] - depth;
   const auto is_deep = [least](const Position& point) { return point[1] < least; };
   const auto first = std::find_if_not(points.begin(), points.end(), is_deep);
   const auto last = std::find_if_not(points.rbegin(), points.rend(), is_deep).base();
   // The groove of a rail with a guard rail is deep, nothing within a wheel.
   if (const auto deep = std::find_if(first, last, is_deep);
-      kind == ProfileKind::wheel && deep != last)
+      kind == ProfileKind::wheel && deep != last) {
     log.warn(WarningClass::profile_overlap, "point " + place_text(*deep) + ", more than " +
                                                 fixed_text(depth, 0) +
                                                 " mm below the highest one, is between others");
+  }
   const std::size_t cut = points.size() - static_cast<std::size_t>(last - first);
-  if (cut == 0)
+  if (cut == 0) {
     return;
+  }
   log.note("ends cut: " + std::to_string(cut) + " points more than " + fixed_text(depth, 0) +
            " mm below the highest one");
   raw.dropped.insert(raw.dropped.end(), points.begin(), first);

@@ -4,38 +4,13 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <vector>
+
+#include "measured/plausible_shapes.hpp"
 
 namespace wrc::reading {
 namespace {
-
-/// What stands off the tread by more than this belongs to a flange or a face, mm.
-/// origin: published: flanges are measured 10 mm above the taping line (EN 13715), where treads and
-/// chamfers (5 mm) do not reach.
-constexpr double off_tread = 8.0;
-/// Narrower than this it is no flange, mm.
-/// origin: measured: flanges of five measured wheels are 28 to 35 mm wide, from the tip alone 18;
-/// faces and worn gauge corners up to 9.
-constexpr double least_flange_width = 12.0;
-/// How much wider than its counterpart the wider part of a shape has to be to be plain.
-/// origin: reasoned: heads and flanges are five times as wide as faces; scatter is a few per cent.
-constexpr double plainly_wider = 1.5;
-/// Depth in which a rail is wide at its top, mm, and as a fraction of shallow measurements.
-/// origin: derived: a circular arc is 3.1 times as wide in the upper third of its height as in the
-/// lower one.
-constexpr double top_depth = 5.0;
-constexpr double top_share = 1.0 / 3.0;
-/// Points higher than this are those of a whole rail with its foot, mm.
-/// origin: published: heads are up to 51 mm high, rails 140 to 190 (EN 13674-1).
-constexpr double least_rail_height = 100.0;
-
-/// Points of a disc are so close to a circle, mm, whose middle is beside theirs by so small a share
-/// of the width. origin: reasoned: discs are ground to 0.01 mm; crowns of rails have arcs of two
-/// radii, which differ by 0.3 mm, cones of treads rise to one side.
-constexpr double circle_tolerance = 0.05;
-constexpr double circle_eccentricity = 0.05;
-/// Longest chord height of a cylinder, mm.
-constexpr double flatness = 0.05; // origin: reasoned: as above
 
 /// Height that half of the lateral extent lies above.
 double level_of(std::span<const Position> points) {
@@ -55,8 +30,9 @@ double level_of(std::span<const Position> points) {
   double passed = 0.0;
   for (const Part& part : parts) {
     passed += part.width;
-    if (passed >= 0.5 * total)
+    if (passed >= 0.5 * total) {
       return part.height;
+    }
   }
   return points.front()[1];
 }
@@ -72,18 +48,21 @@ Run widest_run(std::span<const Position> points, double level, double side) {
   Run run;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto off = [&](const Position& p) { return side * (p[1] - level); };
-    if (off(points[i]) <= off_tread) {
+    if (off(points[i]) <= plausible::off_tread) {
       run = {};
       continue;
     }
-    if (i > 0 && off(points[i - 1]) > off_tread)
+    if (i > 0 && off(points[i - 1]) > plausible::off_tread) {
       run.width += std::abs(points[i][0] - points[i - 1][0]);
-    else
+    } else {
       run.extreme = points[i];
-    if (off(points[i]) > off(run.extreme))
+    }
+    if (off(points[i]) > off(run.extreme)) {
       run.extreme = points[i];
-    if (run.width >= widest.width)
+    }
+    if (run.width >= widest.width) {
       widest = run;
+    }
   }
   return widest;
 }
@@ -103,20 +82,40 @@ double distance_between(const Position& a, const Position& b) {
 
 double chord_length(std::span<const Position> points) {
   double length = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i)
+  for (std::size_t i = 1; i < points.size(); ++i) {
     length += distance_between(points[i], points[i - 1]);
+  }
   return length;
 }
 
 double median_spacing(std::span<const Position> points) {
   std::vector<double> spacing;
-  for (std::size_t i = 1; i < points.size(); ++i)
+  for (std::size_t i = 1; i < points.size(); ++i) {
     spacing.push_back(distance_between(points[i], points[i - 1]));
-  if (spacing.empty())
+  }
+  if (spacing.empty()) {
     return 0.0;
+  }
   const auto middle = spacing.begin() + static_cast<std::ptrdiff_t>(spacing.size() / 2);
   std::nth_element(spacing.begin(), middle, spacing.end());
   return *middle;
+}
+
+double angle_between(const Position& a, const Position& b, const Position& c, const Position& d) {
+  return std::remainder(std::atan2(d[1] - c[1], d[0] - c[0]) - std::atan2(b[1] - a[1], b[0] - a[0]),
+                        2.0 * std::numbers::pi);
+}
+
+std::size_t drop_close_points(std::vector<Position>& points, double least) {
+  std::vector<Position> kept;
+  for (const Position& point : points) {
+    if (kept.empty() || distance_between(point, kept.back()) >= least) {
+      kept.push_back(point);
+    }
+  }
+  const std::size_t dropped = points.size() - kept.size();
+  points = std::move(kept);
+  return dropped;
 }
 
 std::string fixed_text(double value, int digits) {
@@ -138,15 +137,19 @@ std::optional<Flange> flange_of(std::span<const Position> points) {
   const bool is_down = below.width > above.width;
   const Run& flange = is_down ? below : above;
   const Run& other = is_down ? above : below;
-  if (flange.width < least_flange_width || flange.width < plainly_wider * other.width)
+  if (flange.width < plausible::least_flange_width ||
+      flange.width < plausible::plainly_wider * other.width) {
     return std::nullopt;
+  }
   const Position lateral = extent_of(points, 0);
   double left = 0.0;
   double right = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    if (std::abs(0.5 * (points[i][1] + points[i - 1][1]) - level) <= off_tread)
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (std::abs(0.5 * (points[i][1] + points[i - 1][1]) - level) <= plausible::off_tread) {
       (points[i][0] < flange.extreme[0] ? left : right) +=
           std::abs(points[i][0] - points[i - 1][0]);
+    }
+  }
   return Flange{is_down,
                 flange.extreme[0] > 0.5 * (lateral[0] + lateral[1]),
                 flange.width,
@@ -162,10 +165,12 @@ std::optional<double> disc_radius_of(std::span<const Position> points) {
   const Position height = extent_of(points, 1);
   const double middle = 0.5 * (lateral[0] + lateral[1]);
   const double width = lateral[1] - lateral[0];
-  if (std::abs(middle) > circle_eccentricity * width)
+  if (std::abs(middle) > plausible::disc_eccentricity * width) {
     return std::nullopt;
-  if (height[1] - height[0] <= flatness)
+  }
+  if (height[1] - height[0] <= plausible::disc_tolerance) {
     return HUGE_VAL;
+  }
   // The circle through both ends and the point closest to the middle.
   const auto central = std::min_element(points.begin(), points.end(),
                                         [middle](const Position& a, const Position& b) {
@@ -177,17 +182,19 @@ std::optional<double> disc_radius_of(std::span<const Position> points) {
   const Position ab{b[0] - a[0], b[1] - a[1]};
   const Position ac{c[0] - a[0], c[1] - a[1]};
   const double area = 2.0 * (ab[0] * ac[1] - ab[1] * ac[0]);
-  if (area == 0.0)
+  if (area == 0.0) {
     return std::nullopt;
+  }
   const double ab_square = ab[0] * ab[0] + ab[1] * ab[1];
   const double ac_square = ac[0] * ac[0] + ac[1] * ac[1];
   const Position centre{a[0] + (ac[1] * ab_square - ab[1] * ac_square) / area,
                         a[1] + (ab[0] * ac_square - ac[0] * ab_square) / area};
   const double radius = distance_between(centre, a);
-  if (std::abs(centre[0] - middle) > circle_eccentricity * width)
+  if (std::abs(centre[0] - middle) > plausible::disc_eccentricity * width) {
     return std::nullopt;
+  }
   const bool is_on_circle = std::all_of(points.begin(), points.end(), [&](const Position& point) {
-    return std::abs(distance_between(point, centre) - radius) < circle_tolerance;
+    return std::abs(distance_between(point, centre) - radius) < plausible::disc_tolerance;
   });
   return is_on_circle ? std::optional(radius) : std::nullopt;
 }
@@ -195,24 +202,29 @@ std::optional<double> disc_radius_of(std::span<const Position> points) {
 std::optional<Head> head_of(std::span<const Position> points) {
   const Position height = extent_of(points, 1);
   const double range = height[1] - height[0];
-  const double depth = std::min(top_depth, top_share * range);
+  const double depth = std::min(plausible::top_depth, plausible::top_share * range);
   Head head;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double width = std::abs(points[i][0] - points[i - 1][0]);
     const double middle = 0.5 * (points[i][1] + points[i - 1][1]);
-    if (middle > height[1] - depth)
+    if (middle > height[1] - depth) {
       head.top_width += width;
-    if (middle < height[0] + depth)
+    }
+    if (middle < height[0] + depth) {
       head.bottom_width += width;
+    }
   }
   if (std::max(head.top_width, head.bottom_width) <
-      plainly_wider * std::min(head.top_width, head.bottom_width))
+      plausible::plainly_wider * std::min(head.top_width, head.bottom_width)) {
     return std::nullopt;
+  }
   head.is_down = head.bottom_width > head.top_width;
-  if (range > least_rail_height) // the wide end is the foot
+  if (range > plausible::greatest_head_height) { // the wide end is the foot
     head.is_down = !head.is_down;
-  if (head.is_down)
+  }
+  if (head.is_down) {
     std::swap(head.top_width, head.bottom_width);
+  }
   return head;
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "profile/curve.hpp"
 
@@ -50,6 +51,10 @@ double distance_between(const Position& a, const Position& b);
 double chord_length(std::span<const Position> points);
 /// The median distance of a point from the previous one.
 double median_spacing(std::span<const Position> points);
+/// Angle from direction a-b to direction c-d.
+double angle_between(const Position& a, const Position& b, const Position& c, const Position& d);
+/// Drops points closer than `least` to the one kept before. Returns how many.
+std::size_t drop_close_points(std::vector<Position>& points, double least);
 /// "(lateral, height)" with three digits behind the point.
 std::string place_text(const Position& point);
 /// With digits behind the point, as a message has them.

@@ -43,8 +43,9 @@ constexpr std::array<Unit, 13> units{{{"mm", 1.0},
 
 /// A unit, also in the plural.
 const Unit* unit_of(std::string_view word) {
-  if (word.size() > 2 && word.ends_with('s'))
+  if (word.size() > 2 && word.ends_with('s')) {
     word.remove_suffix(1);
+  }
   const auto* const unit =
       std::find_if(units.begin(), units.end(), [&](const Unit& each) { return each.name == word; });
   return unit == units.end() ? nullptr : unit;
@@ -120,13 +121,15 @@ struct Table {
 
 /// The cells of a row: words, or what stands between separators.
 Words cells_of(std::string_view row, bool may_be_empty) {
-  if (!may_be_empty)
+  if (!may_be_empty) {
     return words_of(row, " ;");
+  }
   Words cells;
   for (std::size_t begin = 0; begin <= row.size();) {
     const std::size_t end = std::min(row.find(';', begin), row.size());
-    if (cells.count < Words::max_words)
+    if (cells.count < Words::max_words) {
       cells.word[cells.count] = trimmed(row.substr(begin, end - begin));
+    }
     ++cells.count;
     begin = end + 1;
   }
@@ -141,14 +144,16 @@ bool is_empty_or_missing(std::string_view cell) {
 bool is_heading(std::string_view line, bool has_empty_cells) {
   const std::string row = plain_row(line, ';');
   const Words cells = cells_of(row, has_empty_cells);
-  if (cells.count < 2)
+  if (cells.count < 2) {
     return true;
+  }
   bool has_number = false;
   for (std::size_t i = 0; i < std::min(cells.count, Words::max_words); ++i) {
     const bool is_number = number_of(cells.word[i]).has_value();
     has_number = has_number || is_number;
-    if (i < 2 && !is_number && !is_empty_or_missing(cells.word[i]))
+    if (i < 2 && !is_number && !is_empty_or_missing(cells.word[i])) {
       return true;
+    }
   }
   return !has_number;
 }
@@ -156,12 +161,14 @@ bool is_heading(std::string_view line, bool has_empty_cells) {
 /// Names may be in one line and units in the next.
 void take_heading(Table& table, std::string_view text, std::size_t line) {
   const Heading heading = heading_of(text, line);
-  if (!heading.is_of_columns())
+  if (!heading.is_of_columns()) {
     return;
-  if (heading.names.empty() && table.heading.units.empty())
+  }
+  if (heading.names.empty() && table.heading.units.empty()) {
     table.heading.units = heading.units;
-  else
+  } else {
     table.heading = heading;
+  }
   table.heading.line = line;
 }
 
@@ -178,17 +185,20 @@ std::size_t first_gap(std::string_view row) {
   const Words cells = cells_of(row, true);
   std::size_t gap = 0;
   for (std::size_t i = 0; i < std::min(cells.count, Words::max_words); ++i) {
-    if (!cells.word[i].empty() && gap != 0)
+    if (!cells.word[i].empty() && gap != 0) {
       return gap;
-    if (cells.word[i].empty() && gap == 0)
+    }
+    if (cells.word[i].empty() && gap == 0) {
       gap = i + 1;
+    }
   }
   return 0;
 }
 
 double number_in(std::string_view cell, bool may_be_text, std::size_t line, const Log& log) {
-  if (is_empty_or_missing(cell))
+  if (is_empty_or_missing(cell)) {
     return missing;
+  }
   return may_be_text && !number_of(cell) ? std::nan("") : finite_number(cell, line, log);
 }
 
@@ -198,41 +208,49 @@ bool read_row(Table& table, std::string_view line, std::size_t number, const Log
   if (!table.has_empty_cells) {
     // Where rows have gaps in different places, words are not the same columns.
     const std::size_t gap = first_gap(row);
-    if (table.columns != 0 && gap != table.gap)
+    if (table.columns != 0 && gap != table.gap) {
       return false;
+    }
     table.gap = gap;
   }
   const Words cells = cells_of(row, table.has_empty_cells);
   if (cells.count < 2 || (table.columns != 0 && cells.count != table.columns)) {
-    if (!table.has_empty_cells && has_empty_cell(row))
+    if (!table.has_empty_cells && has_empty_cell(row)) {
       return false;
-    if (cells.count < 2)
+    }
+    if (cells.count < 2) {
       log.refuse(number, quoted(line) + " is one column, two are needed");
+    }
     log.refuse(number, std::to_string(cells.count) + " columns, the rows before have " +
                            std::to_string(table.columns));
   }
-  if (cells.count > Words::max_words)
+  if (cells.count > Words::max_words) {
     log.refuse(number, std::to_string(cells.count) + " columns, at most " +
                            std::to_string(Words::max_words) + " are allowed");
-  if (table.rows() >= ReadLimits::max_points)
+  }
+  if (table.rows() >= ReadLimits::max_points) {
     log.refuse(number, "more than " + std::to_string(ReadLimits::max_points) + " points");
+  }
   table.columns = cells.count;
-  for (std::size_t i = 0; i < cells.count; ++i)
+  for (std::size_t i = 0; i < cells.count; ++i) {
     table.numbers.push_back(number_in(cells.word[i], i >= 2, number, log));
+  }
   table.lines.push_back(number);
   table.only_commas = table.only_commas && line.find_first_of(" \t;\"") == std::string_view::npos;
   table.has_point = table.has_point || line.find('.') != std::string_view::npos;
   if (line.find(',') != std::string_view::npos && row.find('.') != std::string::npos &&
-      line.find('.') == std::string_view::npos)
+      line.find('.') == std::string_view::npos) {
     table.decimal_commas.add(number);
+  }
   return true;
 }
 
 /// A first row that gives the number of rows and columns is none.
 void drop_counts(Table& table) {
   if (table.rows() < 2 || table.at(0, 0) != static_cast<double>(table.rows() - 1) ||
-      table.at(0, 1) != static_cast<double>(table.columns))
+      table.at(0, 1) != static_cast<double>(table.columns)) {
     return;
+  }
   table.headings.add(table.lines.front());
   table.lines.erase(table.lines.begin());
   table.numbers.erase(table.numbers.begin(),
@@ -240,23 +258,29 @@ void drop_counts(Table& table) {
 }
 
 bool is_empty(const Table& table, std::size_t column) {
-  for (std::size_t row = 0; row < table.rows(); ++row)
-    if (table.at(row, column) != missing)
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (table.at(row, column) != missing) {
       return false;
+    }
+  }
   return true;
 }
 
 /// At the end of the rows, behind the last separator.
 void drop_empty_columns(Table& table) {
   std::size_t columns = table.columns;
-  while (columns > 2 && is_empty(table, columns - 1))
+  while (columns > 2 && is_empty(table, columns - 1)) {
     --columns;
-  if (columns == table.columns)
+  }
+  if (columns == table.columns) {
     return;
+  }
   std::vector<double> numbers;
-  for (std::size_t row = 0; row < table.rows(); ++row)
-    for (std::size_t column = 0; column < columns; ++column)
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    for (std::size_t column = 0; column < columns; ++column) {
       numbers.push_back(table.at(row, column));
+    }
+  }
   table.numbers = std::move(numbers);
   table.columns = columns;
 }
@@ -269,18 +293,21 @@ std::optional<Table> read_table(std::string_view text, bool has_empty_cells, Log
     const std::string_view all = lines.whole();
     const std::size_t comment = comment_of(all);
     const std::string_view line = trimmed(all.substr(0, comment));
-    if (table.rows() == 0 && line.empty() && comment != std::string_view::npos)
+    if (table.rows() == 0 && line.empty() && comment != std::string_view::npos) {
       take_heading(table, all.substr(comment + 1), lines.number());
-    if (line.find_first_not_of(";,") == std::string_view::npos)
+    }
+    if (line.find_first_not_of(";,") == std::string_view::npos) {
       continue;
+    }
     if (table.rows() == 0 && is_heading(line, has_empty_cells)) {
       table.last_heading = quoted(line) + " in line " + std::to_string(lines.number());
       table.headings.add(lines.number());
       take_heading(table, line, lines.number());
       continue;
     }
-    if (!read_row(table, all.substr(0, comment), lines.number(), log))
+    if (!read_row(table, all.substr(0, comment), lines.number(), log)) {
       return std::nullopt;
+    }
   }
   drop_counts(table);
   drop_empty_columns(table);
@@ -289,8 +316,9 @@ std::optional<Table> read_table(std::string_view text, bool has_empty_cells, Log
 
 Table read_table(std::string_view text, Log& log) {
   std::optional<Table> table = read_table(text, false, log);
-  if (!table)
+  if (!table) {
     table = read_table(text, true, log);
+  }
   return std::move(*table);
 }
 
@@ -298,11 +326,14 @@ Table read_table(std::string_view text, Log& log) {
 bool counts_rows(const Table& table, std::size_t column) {
   const double first = table.at(0, column);
   const double step = table.at(1, column) - first;
-  if (std::trunc(step) != step || step < 1.0 || (first != 0.0 && first != 1.0 && first != step))
+  if (std::trunc(step) != step || step < 1.0 || (first != 0.0 && first != 1.0 && first != step)) {
     return false;
-  for (std::size_t row = 2; row < table.rows(); ++row)
-    if (table.at(row, column) - table.at(row - 1, column) != step)
+  }
+  for (std::size_t row = 2; row < table.rows(); ++row) {
+    if (table.at(row, column) - table.at(row - 1, column) != step) {
       return false;
+    }
+  }
   return true;
 }
 
@@ -311,10 +342,12 @@ bool is_constant(const Table& table, std::size_t column) {
   std::optional<double> constant;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double number = table.at(row, column);
-    if (number == missing)
+    if (number == missing) {
       continue;
-    if (constant && number != *constant)
+    }
+    if (constant && number != *constant) {
       return false;
+    }
     constant = number;
   }
   return true;
@@ -325,8 +358,9 @@ using Pair = std::array<std::size_t, 2>;
 /// Columns of lateral and height by their names.
 std::optional<Pair> named_columns(const Table& table) {
   const std::vector<std::string>& names = table.heading.names;
-  if (names.size() != table.columns)
+  if (names.size() != table.columns) {
     return std::nullopt;
+  }
   const auto place_of = [&names](std::initializer_list<std::string_view> wanted) {
     const auto found = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
       return std::find(wanted.begin(), wanted.end(), name) != wanted.end();
@@ -340,8 +374,9 @@ std::optional<Pair> named_columns(const Table& table) {
   std::optional<std::size_t> lateral = place_of({"lateral", "lat", "s", "t"});
   std::optional<std::size_t> height = z;
   if (!lateral && z && y) {
-    if (x && !is_constant(table, *x)) // along the track, or across?
+    if (x && !is_constant(table, *x)) { // along the track, or across?
       return std::nullopt;
+    }
     lateral = y;
   } else if (!lateral) {
     lateral = x;
@@ -361,17 +396,21 @@ Pair unnamed_columns(const Table& table, Log& log) {
               "remove it, or name the columns");
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(place));
   };
-  for (std::size_t place = 0; place < left.size() && left.size() > 2;)
-    if (is_constant(table, left[place]))
+  for (std::size_t place = 0; place < left.size() && left.size() > 2;) {
+    if (is_constant(table, left[place])) {
       ignore(place, "is constant");
-    else
+    } else {
       ++place;
-  if (left.size() > 2 && table.rows() > 1 && counts_rows(table, left[0]))
+    }
+  }
+  if (left.size() > 2 && table.rows() > 1 && counts_rows(table, left[0])) {
     ignore(0, "counts the rows");
+  }
   if (left.size() > 2) {
     std::string numbers;
-    for (std::size_t i = 2; i < left.size(); ++i)
+    for (std::size_t i = 2; i < left.size(); ++i) {
       numbers += (i > 2 ? ", " : "") + std::to_string(left[i] + 1);
+    }
     log.guess("columns " + numbers + " ignored", "remove them, or name the columns in a heading");
   }
   return {left[0], left[1]};
@@ -391,16 +430,20 @@ Pair columns_of(const Table& table, RawProfile& raw, Log& log) {
 
 void settle_unit(RawProfile& raw, const Table& table, Log& log) {
   const std::vector<Unit>& stated = table.heading.units;
-  if (stated.empty())
+  if (stated.empty()) {
     return;
-  for (const Unit& unit : stated)
-    if (unit.millimetres != stated.front().millimetres)
+  }
+  for (const Unit& unit : stated) {
+    if (unit.millimetres != stated.front().millimetres) {
       log.refuse(table.heading.line, "two units, " + std::string(stated.front().name) + " and " +
                                          std::string(unit.name) + "; one is allowed");
+    }
+  }
   raw.unit_is_stated = true;
   const double scale = stated.front().millimetres;
-  if (scale == 1.0)
+  if (scale == 1.0) {
     return;
+  }
   scale_points(raw, scale, scale);
   log.note("multiplied by " + text_of(scale) + " to mm, from " + printable(stated.front().name) +
            " in line " + std::to_string(table.heading.line));
@@ -411,29 +454,35 @@ void settle_unit(RawProfile& raw, const Table& table, Log& log) {
 RawProfile read_columns(std::string_view text, Log& log) {
   const Table table = read_table(text, log);
   RawProfile raw;
-  if (table.rows() == 0)
+  if (table.rows() == 0) {
     log.refuse("no row of two numbers" +
                (table.last_heading.empty() ? "" : "; the last line is " + table.last_heading));
-  if (table.columns > 2 && table.only_commas && !table.has_point)
+  }
+  if (table.columns > 2 && table.only_commas && !table.has_point) {
     log.refuse(table.lines.front(),
                "commas between the numbers and perhaps in them; separate the numbers by "
                "semicolons, or write decimal points");
+  }
   const Pair columns = columns_of(table, raw, log);
   LineCount gaps;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const Position point{table.at(row, columns[0]), table.at(row, columns[1])};
-    if (std::isnan(point[0]) || std::isnan(point[1]))
+    if (std::isnan(point[0]) || std::isnan(point[1])) {
       log.refuse(table.lines[row], "no number in column " + std::to_string(columns[0] + 1) +
                                        " or " + std::to_string(columns[1] + 1));
-    if (point[0] == missing || point[1] == missing)
+    }
+    if (point[0] == missing || point[1] == missing) {
       gaps.add(table.lines[row]);
-    else
+    } else {
       add_point(raw, point, table.lines[row], log);
+    }
   }
-  if (table.headings.count > 0)
+  if (table.headings.count > 0) {
     log.note(table.headings.text("lines before the first number skipped as headings"));
-  if (table.decimal_commas.count > 0)
+  }
+  if (table.decimal_commas.count > 0) {
     log.note(table.decimal_commas.text("rows with decimal commas"));
+  }
   note_gaps(gaps, log);
   settle_unit(raw, table, log);
   return raw;

@@ -49,13 +49,13 @@ void add_point(RawProfile& raw, const Position& point, std::size_t line, const L
 void note_gaps(const LineCount& gaps, Log& log);
 /// Changes all points, the dropped ones too.
 template <class Change> void change_points(RawProfile& raw, const Change& change) {
-  for (std::vector<Position>* points : {&raw.points, &raw.dropped})
-    for (Position& point : *points)
+  for (std::vector<Position>* points : {&raw.points, &raw.dropped}) {
+    for (Position& point : *points) {
       point = change(point);
+    }
+  }
 }
 /// Multiplies their coordinates.
 void scale_points(RawProfile& raw, double lateral, double height);
-/// Drops points closer than `least` to the one kept before. Returns how many.
-std::size_t drop_close_points(std::vector<Position>& points, double least);
 
 } // namespace wrc::reading

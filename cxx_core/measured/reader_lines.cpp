@@ -29,45 +29,52 @@ void Log::refuse(std::size_t line, const std::string& text) const {
 }
 
 void Log::refuse_slice(int slice) const {
-  if (slice != 0)
+  if (slice != 0) {
     refuse("slice = " + std::to_string(slice) +
            ", allowed with a slices file (.slcs, .slcw) or a project file of MiniProf; this file "
            "has one profile");
+  }
 }
 
 void Log::guess(const std::string& text, const std::string& remedy) {
-  if (strict_)
+  if (strict_) {
     refuse("strict reading refuses guesses: " + text + "; " + remedy);
+  }
   corrections_.push_back(text);
   ++guesses_;
 }
 
 void Log::warn(WarningClass kind, const std::string& text) {
-  if (strict_)
+  if (strict_) {
     refuse("strict reading refuses warnings: " + text);
+  }
   warnings_.push_back({kind, text});
 }
 
 Lines::Lines(std::string_view text, const Log& log) : rest_(text), log_(log) {}
 
 bool Lines::next() {
-  if (rest_.empty())
+  if (rest_.empty()) {
     return false;
+  }
   ++number_;
   const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
-  if (end > ReadLimits::line_bytes)
+  if (end > ReadLimits::line_bytes) {
     log_.refuse(number_, "line of " + std::to_string(end) + " bytes, at most " +
                              std::to_string(ReadLimits::line_bytes) + " are allowed");
+  }
   line_ = rest_.substr(0, end);
   rest_.remove_prefix(end);
-  if (rest_.starts_with("\r\n"))
+  if (rest_.starts_with("\r\n")) {
     rest_.remove_prefix(2);
-  else if (!rest_.empty())
+  } else if (!rest_.empty()) {
     rest_.remove_prefix(1);
+  }
   for (const char c : line_) {
     const auto byte = static_cast<unsigned char>(c);
-    if ((byte < 0x20 && c != '\t') || byte == 0x7F)
+    if ((byte < 0x20 && c != '\t') || byte == 0x7F) {
       log_.refuse(number_, "byte " + std::to_string(byte) + ", only text is allowed");
+    }
   }
   whole_ = line_;
   line_ = trimmed(line_);
@@ -80,8 +87,9 @@ std::string LineCount::text(const std::string& what) const {
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos)
+  if (first == std::string_view::npos) {
     return {};
+  }
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
@@ -90,8 +98,9 @@ Words words_of(std::string_view line, std::string_view separators) {
   std::size_t begin = line.find_first_not_of(separators);
   while (begin != std::string_view::npos) {
     const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
-    if (words.count < Words::max_words)
+    if (words.count < Words::max_words) {
       words.word[words.count] = line.substr(begin, end - begin);
+    }
     ++words.count;
     begin = line.find_first_not_of(separators, end);
   }
@@ -108,12 +117,13 @@ std::string plain_row(std::string_view line, char separator) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
     const bool between_digits = i > 0 && is_digit(i - 1) && is_digit(i + 1);
-    if (c == '"')
+    if (c == '"') {
       in_quotes = !in_quotes;
-    else if (c == ',' && between_digits && (decimal_commas || in_quotes))
+    } else if (c == ',' && between_digits && (decimal_commas || in_quotes)) {
       row += '.';
-    else
+    } else {
       row += c == ',' || c == ';' || c == '\t' ? separator : c;
+    }
   }
   return row;
 }
@@ -131,19 +141,22 @@ std::size_t comment_of(std::string_view line) {
       begin = i + 1;
       continue;
     }
-    if (line[i] != '#' && line[i] != '!' && line[i] != '%')
+    if (line[i] != '#' && line[i] != '!' && line[i] != '%') {
       continue;
+    }
     const std::size_t end = std::min(line.find_first_of(separators, i), line.size());
-    if (!is_missing(line.substr(begin, end - begin)))
+    if (!is_missing(line.substr(begin, end - begin))) {
       return i;
+    }
     i = end - 1;
   }
   return std::string_view::npos;
 }
 
 std::optional<double> number_of(std::string_view word) {
-  if (word.starts_with('+') && !word.starts_with("+-"))
+  if (word.starts_with('+') && !word.starts_with("+-")) {
     word.remove_prefix(1);
+  }
   std::string with_e; // of 1.5D+01
   if (const std::size_t d = word.find_first_of("dD");
       d != std::string_view::npos && d > 0 && word.size() <= 40) {
@@ -154,28 +167,34 @@ std::optional<double> number_of(std::string_view word) {
   double value = 0.0;
   const char* const end = word.data() + word.size();
   const auto [stop, fault] = std::from_chars(word.data(), end, value);
-  if (word.empty() || stop != end)
+  if (word.empty() || stop != end) {
     return std::nullopt;
-  if (fault == std::errc::result_out_of_range)
+  }
+  if (fault == std::errc::result_out_of_range) {
     return HUGE_VAL;
+  }
   return fault == std::errc{} ? std::optional(value) : std::nullopt;
 }
 
 double finite_number(std::string_view word, std::size_t line, const Log& log) {
   const std::optional<double> value = number_of(word);
-  if (!value)
+  if (!value) {
     log.refuse(line, quoted(word) + " is not a number");
-  if (!std::isfinite(*value))
+  }
+  if (!std::isfinite(*value)) {
     log.refuse(line, quoted(word) + " is not a finite number");
+  }
   return *value;
 }
 
 std::string printable(std::string_view word) {
   constexpr std::size_t longest = 40;
   std::string result(word.substr(0, longest));
-  for (char& c : result)
-    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7F)
+  for (char& c : result) {
+    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7F) {
       c = '?';
+    }
+  }
   return word.size() > longest ? result + "..." : result;
 }
 

@@ -73,8 +73,9 @@ struct LineCount {
   std::size_t first = 0;
 
   void add(std::size_t line) {
-    if (count++ == 0)
+    if (count++ == 0) {
       first = line;
+    }
   }
   /// "<count> <what>, first in line <first>".
   [[nodiscard]] std::string text(const std::string& what) const;

@@ -35,22 +35,27 @@ bool is_comment(std::string_view line) {
 
 std::string_view unquoted(std::string_view text) {
   text = trimmed(text);
-  if (text.starts_with('"'))
+  if (text.starts_with('"')) {
     text.remove_prefix(1);
-  if (text.ends_with('"'))
+  }
+  if (text.ends_with('"')) {
     text.remove_suffix(1);
+  }
   return trimmed(text);
 }
 
 /// Two or more numbers and nothing else.
 bool is_row(std::string_view line) {
-  if (is_comment(line))
+  if (is_comment(line)) {
     return false;
+  }
   const std::string row = plain_row(line);
   const Words words = words_of(row, " ");
-  for (std::size_t i = 0; i < std::min(words.count, Words::max_words); ++i)
-    if (!number_of(words.word[i]) && !is_missing(words.word[i]))
+  for (std::size_t i = 0; i < std::min(words.count, Words::max_words); ++i) {
+    if (!number_of(words.word[i]) && !is_missing(words.word[i])) {
       return false;
+    }
+  }
   return words.count >= 2;
 }
 
@@ -59,16 +64,18 @@ constexpr std::size_t most_listed = 20;      // in a message; not a tuning const
 
 /// The name of the section that a line begins.
 std::optional<std::string_view> section_in(std::string_view line) {
-  if (!line.starts_with('[') || !line.ends_with(']') || line.size() < 3)
+  if (!line.starts_with('[') || !line.ends_with(']') || line.size() < 3) {
     return std::nullopt;
+  }
   return trimmed(line.substr(1, line.size() - 2));
 }
 
 /// What a line of a section says of a point: behind its key, if that has a number of its own.
 std::string_view row_in(std::string_view line) {
   const std::size_t equals = line.find('=');
-  if (equals == std::string_view::npos || is_comment(line))
+  if (equals == std::string_view::npos || is_comment(line)) {
     return line;
+  }
   const std::string_view key = trimmed(line.substr(0, equals));
   return !key.empty() && key.back() >= '0' && key.back() <= '9' ? trimmed(line.substr(equals + 1))
                                                                 : line;
@@ -93,36 +100,44 @@ std::vector<Section> sections_of(std::string_view text, const Log& log) {
   std::vector<Section> sections(1);
   for (Lines lines(text, log); lines.next();) {
     if (const std::optional<std::string_view> name = section_in(lines.text())) {
-      if (sections.size() >= most_sections)
+      if (sections.size() >= most_sections) {
         log.refuse(lines.number(), "more than " + std::to_string(most_sections) + " sections");
+      }
       sections.push_back({printable(*name), owner_of(*name), lines.number()});
     } else if (sections.size() > 1 && is_row(row_in(lines.text()))) {
       ++sections.back().rows;
     }
   }
   std::size_t with_points = 0;
-  for (const Section& section : sections)
+  for (const Section& section : sections) {
     with_points += section.rows >= rows_of_points ? 1U : 0U;
-  if (with_points == 0)
+  }
+  if (with_points == 0) {
     sections.clear();
+  }
   return sections;
 }
 
 /// The section whose points are read, by the number of a profile or as the only one.
 const Section& chosen_section(const std::vector<Section>& sections, int choice, const Log& log) {
   std::vector<const Section*> profiles;
-  for (const Section& section : sections)
-    if (section.rows >= rows_of_points)
+  for (const Section& section : sections) {
+    if (section.rows >= rows_of_points) {
       profiles.push_back(&section);
+    }
+  }
   const auto count = static_cast<int>(profiles.size());
-  if (choice == 0 && count == 1)
+  if (choice == 0 && count == 1) {
     return *profiles.front();
-  if (choice >= 1 && choice <= count)
+  }
+  if (choice >= 1 && choice <= count) {
     return *profiles[static_cast<std::size_t>(choice - 1)];
+  }
   std::string text;
   for (std::size_t i = 0; i < profiles.size(); ++i) {
-    if (i >= most_listed && i + 1 < profiles.size())
+    if (i >= most_listed && i + 1 < profiles.size()) {
       continue;
+    }
     text += (i == 0             ? " "
              : i == most_listed ? " ..., "
                                 : ", ") +
@@ -141,14 +156,18 @@ std::size_t first_row(std::string_view text, const Log& log) {
   bool blank = false;
   for (Lines lines(text, log); lines.next();) {
     blank = blank || lines.text().empty();
-    if (!is_row(lines.text()) && !(blank && is_comment(lines.text())))
+    if (!is_row(lines.text()) && !(blank && is_comment(lines.text()))) {
       continue;
-    if (blank && in_header < rows_of_points)
+    }
+    if (blank && in_header < rows_of_points) {
       return lines.number();
-    if (first == 0)
+    }
+    if (first == 0) {
       first = lines.number();
-    if (blank || ++in_header >= rows_of_points)
+    }
+    if (blank || ++in_header >= rows_of_points) {
       return first;
+    }
   }
   return first;
 }
@@ -176,16 +195,18 @@ void read_columns_of(Header& header, std::string_view value, std::size_t line, c
   std::optional<std::size_t> y;
   std::string others;
   for (std::size_t i = 0; i < std::min(words.count, Words::max_words); ++i) {
-    if (words.word[i] == "X")
+    if (words.word[i] == "X") {
       x = i;
-    else if (words.word[i] == "Y")
+    } else if (words.word[i] == "Y") {
       y = i;
-    else if (words.word[i] != "*")
+    } else if (words.word[i] != "*") {
       others += (others.empty() ? "" : ", ") + printable(words.word[i]);
+    }
   }
-  if (!x || !y || words.count > Words::max_words)
+  if (!x || !y || words.count > Words::max_words) {
     log.refuse(line, "ColumnDef=" + printable(value) + ", it must name X and Y among at most " +
                          std::to_string(Words::max_words) + " columns");
+  }
   header.columns = std::max(*x, *y) + 1;
   header.x = *x;
   header.y = *y;
@@ -195,44 +216,50 @@ void read_columns_of(Header& header, std::string_view value, std::size_t line, c
 /// The keys that change the points, or say what they are; the others do not.
 void apply(Header& header, std::string_view key, std::string_view value, std::size_t line,
            const Log& log) {
-  if (key == "ColumnDef")
+  if (key == "ColumnDef") {
     read_columns_of(header, value, line, log);
-  else if (key == "XOffset")
+  } else if (key == "XOffset") {
     header.offset[0] = finite_number(value, line, log);
-  else if (key == "YOffset")
+  } else if (key == "YOffset") {
     header.offset[1] = finite_number(value, line, log);
-  else if (key == "XYPoints")
+  } else if (key == "XYPoints") {
     header.points = finite_number(value, line, log);
-  else if (key == "Grade")
+  } else if (key == "Grade") {
     header.grade = number_of(value);
-  else if (key == "WheelDiameterTaperline")
+  } else if (key == "WheelDiameterTaperline") {
     header.tape_offset = number_of(value);
-  else if (key == "ProgramName")
+  } else if (key == "ProgramName") {
     header.program = value;
+  }
 }
 
 void read_header_line(Header& header, std::string_view line, std::size_t number, Log& log) {
   const bool is_quoted = line.starts_with('"');
   line = unquoted(line);
   const std::size_t equals = line.find('=');
-  if (equals == std::string_view::npos)
+  if (equals == std::string_view::npos) {
     return; // old files: free text
+  }
   std::string key(unquoted(line.substr(0, equals)));
   const std::string value(unquoted(line.substr(equals + 1)));
-  if (key == "Xoffset" || key == "Yoffset") // as MiniProf's own program writes them
+  if (key == "Xoffset" || key == "Yoffset") { // as MiniProf's own program writes them
     key[1] = 'O';
+  }
   constexpr std::array known{"ColumnDef",  "XOffset", "YOffset",
                              "XYPoints",   "Grade",   "WheelDiameterTaperline",
                              "ProgramName"};
-  if (value.empty() || std::find(known.begin(), known.end(), key) == known.end())
+  if (value.empty() || std::find(known.begin(), known.end(), key) == known.end()) {
     return;
+  }
   const auto [entry, is_new] = header.values.try_emplace(key, Header::Value{value, is_quoted});
-  if (!is_new && is_quoted && !entry->second.quoted)
+  if (!is_new && is_quoted && !entry->second.quoted) {
     return;
-  if (!is_new && is_quoted == entry->second.quoted && entry->second.text != value)
+  }
+  if (!is_new && is_quoted == entry->second.quoted && entry->second.text != value) {
     log.guess(key + " occurs again in line " + std::to_string(number) +
                   " with another value, the last one is used",
               "remove the others");
+  }
   entry->second = {value, is_quoted};
   apply(header, key, value, number, log);
 }
@@ -256,8 +283,9 @@ void read_row(RawProfile& raw, const Header& header, Counts& counts, std::string
     counts.short_rows.add(number);
     return;
   }
-  if (words.count > header.columns)
+  if (words.count > header.columns) {
     counts.long_rows.add(number);
+  }
   if (is_missing(words.word[header.x]) || is_missing(words.word[header.y])) {
     counts.gaps.add(number);
     return;
@@ -269,24 +297,30 @@ void read_row(RawProfile& raw, const Header& header, Counts& counts, std::string
 
 void report(const RawProfile& raw, const Header& header, const Counts& counts, Log& log) {
   note_gaps(counts.gaps, log);
-  if (counts.comments.count > 0)
+  if (counts.comments.count > 0) {
     log.note(counts.comments.text("rows after the header skipped as comments"));
-  if (counts.short_rows.count > 0)
+  }
+  if (counts.short_rows.count > 0) {
     log.guess(counts.short_rows.text("rows with fewer columns than ColumnDef skipped"),
               "remove them");
-  if (!header.other_columns.empty())
+  }
+  if (!header.other_columns.empty()) {
     log.note("columns ignored: " + header.other_columns);
-  else if (counts.long_rows.count > 0)
+  } else if (counts.long_rows.count > 0) {
     log.note(counts.long_rows.text("rows have more columns than X and Y, which were ignored"));
-  if (header.points && *header.points != static_cast<double>(raw.points.size()))
+  }
+  if (header.points && *header.points != static_cast<double>(raw.points.size())) {
     log.note("XYPoints in the header differs from the " + std::to_string(raw.points.size()) +
              " points found");
-  if (header.offset[0] != 0.0 || header.offset[1] != 0.0)
+  }
+  if (header.offset[0] != 0.0 || header.offset[1] != 0.0) {
     log.note("XOffset and YOffset added");
-  if (header.grade && *header.grade != 0.0)
+  }
+  if (header.grade && *header.grade != 0.0) {
     log.note("Grade=" + text_of(*header.grade) +
              ": if the rail was measured with its inclination, set track.cant to 0, or a scene "
              "inclines it again");
+  }
 }
 
 /// A header and rows after it.
@@ -294,10 +328,11 @@ void read_plain(RawProfile& raw, Header& header, Counts& counts, std::string_vie
   const std::size_t first = first_row(text, log);
   for (Lines lines(text, log); lines.next();) {
     const std::string_view line = lines.text();
-    if (first == 0 || lines.number() < first)
+    if (first == 0 || lines.number() < first) {
       read_header_line(header, line, lines.number(), log);
-    else if (!line.empty())
+    } else if (!line.empty()) {
       read_row(raw, header, counts, line, lines.number(), log);
+    }
   }
 }
 
@@ -307,39 +342,45 @@ void read_keys_of(Header& header, std::string_view text, const std::vector<Secti
   header.values.clear(); // those of the profile win over those of all
   auto section = sections.begin();
   for (Lines lines(text, log); lines.next();) {
-    if (section + 1 != sections.end() && (section + 1)->line == lines.number())
+    if (section + 1 != sections.end() && (section + 1)->line == lines.number()) {
       ++section;
-    else if (section->owner == owner && row_in(lines.text()) == lines.text())
+    } else if (section->owner == owner && row_in(lines.text()) == lines.text()) {
       read_header_line(header, lines.text(), lines.number(), log);
+    }
   }
 }
 
 void read_section(RawProfile& raw, Header& header, Counts& counts, std::string_view text,
                   const std::vector<Section>& sections, const Section& chosen, Log& log) {
   read_keys_of(header, text, sections, "", log);
-  if (!chosen.owner.empty())
+  if (!chosen.owner.empty()) {
     read_keys_of(header, text, sections, chosen.owner, log);
+  }
   bool is_inside = false;
   for (Lines lines(text, log); lines.next();) {
     const std::string_view line = lines.text();
-    if (section_in(line))
+    if (section_in(line)) {
       is_inside = lines.number() == chosen.line;
-    else if (is_inside && !line.empty() &&
-             (row_in(line) != line || is_comment(line) || line.find('=') == std::string_view::npos))
+    } else if (is_inside && !line.empty() &&
+               (row_in(line) != line || is_comment(line) ||
+                line.find('=') == std::string_view::npos)) {
       read_row(raw, header, counts, row_in(line), lines.number(), log);
+    }
   }
   const std::string name = lower_case(chosen.name);
-  if (name.find("wheel") != std::string::npos)
+  if (name.find("wheel") != std::string::npos) {
     raw.kind = ProfileKind::wheel;
-  else if (name.find("rail") != std::string::npos)
+  } else if (name.find("rail") != std::string::npos) {
     raw.kind = ProfileKind::rail;
+  }
   log.note("points of the section [" + chosen.name + "] in line " + std::to_string(chosen.line));
 }
 
 std::size_t line_count(std::string_view text, const Log& log) {
   std::size_t last = 0;
-  for (Lines lines(text, log); lines.next();)
+  for (Lines lines(text, log); lines.next();) {
     last = lines.number();
+  }
   return last;
 }
 
@@ -356,9 +397,10 @@ RawProfile read_miniprof(std::string_view text, int choice, Log& log) {
   } else {
     read_section(raw, header, counts, text, sections, chosen_section(sections, choice, log), log);
   }
-  if (raw.points.empty())
+  if (raw.points.empty()) {
     log.refuse(line_count(text, log),
                "the file ends without a row of " + std::to_string(header.columns) + " numbers");
+  }
   report(raw, header, counts, log);
   const bool by_instrument = header.program.starts_with("MiniProf");
   raw.signs = Signs::usual;
@@ -367,8 +409,9 @@ RawProfile read_miniprof(std::string_view text, int choice, Log& log) {
   raw.unit_is_stated = true;
   raw.counts_from_flange_back = true;
   if (header.tape_offset && *header.tape_offset >= ReadLimits::min_tape_offset &&
-      *header.tape_offset <= ReadLimits::max_tape_offset)
+      *header.tape_offset <= ReadLimits::max_tape_offset) {
     raw.tape_offset = header.tape_offset;
+  }
   return raw;
 }
 

@@ -15,19 +15,24 @@ enum class Encoding { bytes, utf16_little, utf16_big };
 
 /// Text of ASCII characters in UTF-16 has a zero in every second byte.
 Encoding encoding_of(std::string_view bytes) {
-  if (bytes.starts_with("\xFF\xFE"))
+  if (bytes.starts_with("\xFF\xFE")) {
     return Encoding::utf16_little;
-  if (bytes.starts_with("\xFE\xFF"))
+  }
+  if (bytes.starts_with("\xFE\xFF")) {
     return Encoding::utf16_big;
+  }
   std::array<std::size_t, 2> zeros{};
   const std::size_t looked_at = std::min(bytes.size(), beginning);
-  for (std::size_t i = 0; i < looked_at; ++i)
+  for (std::size_t i = 0; i < looked_at; ++i) {
     zeros[i % 2] += bytes[i] == '\0' ? 1U : 0U;
+  }
   const std::size_t most = looked_at / 2;
-  if (most >= 4 && zeros[0] == 0 && zeros[1] >= most - most / 4)
+  if (most >= 4 && zeros[0] == 0 && zeros[1] >= most - most / 4) {
     return Encoding::utf16_little;
-  if (most >= 4 && zeros[1] == 0 && zeros[0] >= most - most / 4)
+  }
+  if (most >= 4 && zeros[1] == 0 && zeros[0] >= most - most / 4) {
     return Encoding::utf16_big;
+  }
   return Encoding::bytes;
 }
 
@@ -121,19 +126,22 @@ bool is_drawing(std::string_view text) { // text DXF: group code 0, then SECTION
 std::optional<std::string> decoded(std::string_view bytes) {
   const Encoding encoding = encoding_of(bytes);
   std::optional<std::string> text;
-  if (encoding != Encoding::bytes)
+  if (encoding != Encoding::bytes) {
     text = from_utf16(bytes, encoding == Encoding::utf16_little);
+  }
   const std::string_view seen = text ? std::string_view(*text) : bytes;
   const bool ends_with_mark = seen.ends_with('\x1A');
   const bool is_ascii = std::none_of(seen.begin(), seen.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return byte == 0xE2 || byte == 0xC2 || byte == 0xEF;
   });
-  if (!is_ascii)
+  if (!is_ascii) {
     text = with_ascii(seen);
+  }
   if (ends_with_mark) {
-    if (!text)
+    if (!text) {
       text = std::string(bytes);
+    }
     text->pop_back();
   }
   return text;
@@ -148,23 +156,26 @@ void refuse_foreign(std::string_view bytes, const Log& log) {
   const bool drawing = is_drawing(begin);
   const std::string what(found == signatures.end() ? "" : found->what);
   const bool is_workbook = what.find("workbook") != std::string::npos;
-  if (found != signatures.end() || drawing)
+  if (found != signatures.end() || drawing) {
     log.refuse("is " + (drawing ? "a drawing (.dxf)" : what) + ", which is not supported; " +
                (is_workbook ? "save the sheet with the points as CSV text (in Excel: Save As, CSV; "
                               "in LibreOffice: Save As, Text CSV) and read that file; "
                             : "") +
                "allowed are text files: two columns, Simpack .prr/.prw, "
                "MiniProf .ban/.whl");
+  }
 }
 
 std::optional<ProfileFormat> format_by_content(std::string_view text) {
   const std::string_view begin = text.substr(0, beginning);
-  if (begin.find("spline.begin") != std::string_view::npos)
+  if (begin.find("spline.begin") != std::string_view::npos) {
     return ProfileFormat::simpack;
+  }
   if (begin.find("ColumnDef=") != std::string_view::npos ||
       begin.find("XYPoints=") != std::string_view::npos || begin.starts_with("[Profile") ||
-      begin.find("\n[Profile") != std::string_view::npos)
+      begin.find("\n[Profile") != std::string_view::npos) {
     return ProfileFormat::miniprof;
+  }
   return std::nullopt;
 }
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "measured/read_options.hpp"
 #include "measured/reader_lines.hpp"
+#include "profile/file_type.hpp"
 
 namespace wrc::reading {
 

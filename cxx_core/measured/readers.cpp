@@ -6,8 +6,10 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "measured/constants.hpp"
 #include "measured/noise_removal.hpp"
 #include "measured/plausibility.hpp"
+#include "measured/plausible_shapes.hpp"
 #include "measured/profile_shape.hpp"
 #include "measured/reader_formats.hpp"
 #include "measured/reader_text.hpp"
@@ -21,25 +23,17 @@ namespace wrc {
 namespace reading {
 
 void add_point(RawProfile& raw, const Position& point, std::size_t line, const Log& log) {
-  if (raw.points.size() >= ReadLimits::max_points)
+  if (raw.points.size() >= ReadLimits::max_points) {
     log.refuse(line, "more than " + std::to_string(ReadLimits::max_points) + " points");
+  }
   raw.points.push_back(point);
   raw.lines.push_back(line);
 }
 
 void note_gaps(const LineCount& gaps, Log& log) {
-  if (gaps.count > 0)
+  if (gaps.count > 0) {
     log.note(gaps.text("rows without lateral or height skipped as gaps"));
-}
-
-std::size_t drop_close_points(std::vector<Position>& points, double least) {
-  std::vector<Position> kept;
-  for (const Position& point : points)
-    if (kept.empty() || std::hypot(point[0] - kept.back()[0], point[1] - kept.back()[1]) >= least)
-      kept.push_back(point);
-  const std::size_t dropped = points.size() - kept.size();
-  points = std::move(kept);
-  return dropped;
+  }
 }
 
 void scale_points(RawProfile& raw, double lateral, double height) {
@@ -52,15 +46,6 @@ namespace {
 
 using reading::Log;
 using reading::RawProfile;
-
-/// Waves that wheels and rails have, mm: a smoothing that halves them needs a statement.
-/// origin: published: gauge corners and flange roots have radii of 8 to 15 mm (EN 13674-1, EN
-/// 13715), whose arcs are longer.
-constexpr double wave_of_wheels = 5.0;
-/// A wavelength this much shorter than the one of the noise is too short.
-/// origin: measured (tests/core/measured/noise_removal_test.cpp): S1002 with noise of 0.02 mm is
-/// off by twice as much at this share of its wavelength.
-constexpr double wavelength_share = 0.7;
 
 std::string waves_text(const NoiseRemoval& clean) {
   return "waves of " + reading::fixed_text(clean.short_wave, 1) +
@@ -100,33 +85,36 @@ std::optional<NoiseRemoval> noise_removed_from(std::span<const Position> points)
 /// Replaces the points by the line that their noise leaves.
 void smooth_by_noise(Profile& profile, const NoiseRemoval& clean, bool stated, Log& log) {
   profile.points = clean.points;
-  if (clean.lone_ends > 0)
+  if (clean.lone_ends > 0) {
     log.note("points left out at the ends, far from the others: " +
              std::to_string(clean.lone_ends));
+  }
   const std::string text = "smoothed automatically: " + waves_text(clean) + " are halved";
-  if (stated || clean.long_wave < wave_of_wheels)
+  if (stated || clean.long_wave < plausible::shape_wave) {
     log.note(text);
-  else
+  } else {
     log.guess(text, "state the smoothing: \"auto\", a wavelength in mm or 0");
+  }
 }
 
 /// What the noise leaves uncertain, with or without a smoothing of the caller's own.
 void report_noise(const reading::Scatter& scatter, const NoiseRemoval* clean, double wavelength,
                   Log& log) {
   std::string text = scatter_text(scatter);
-  if (clean == nullptr && wavelength > 0.0)
+  if (clean == nullptr && wavelength > 0.0) {
     text += ": the waves that it needs to be halved are unknown, smoothing halves " +
             text_of(wavelength) + " mm";
-  else if (clean == nullptr)
+  } else if (clean == nullptr) {
     text += ": not smoothed, pressures are those of the scatter";
-  else if (wavelength == automatic_smoothing)
+  } else if (wavelength == automatic_smoothing) {
     text += ": smoothed automatically, " + waves_text(*clean) +
             " are halved; spread.pmax is what remains uncertain";
-  else if (wavelength < wavelength_share * clean->long_wave)
+  } else if (wavelength < wavelength_share * clean->long_wave) {
     text += ": its noise needs " + waves_text(*clean) + " to be halved, smoothing halves " +
             text_of(wavelength) + " mm; spread.pmax is what remains uncertain";
-  else
+  } else {
     return;
+  }
   log.advise(WarningClass::profile_noise, text);
 }
 
@@ -137,14 +125,16 @@ void join(Profile& profile, const ReadOptions& options, Log& log) {
   reading::Scatter scatter = reading::scatter_of(profile.points);
   try {
     std::optional<NoiseRemoval> clean;
-    if (wavelength != 0.0 && scatter.matters())
+    if (wavelength != 0.0 && scatter.matters()) {
       clean = noise_removed_from(profile.points);
+    }
     if (clean) { // waves that several points agree upon are no noise
       scatter = reading::scatter_of(profile.points, clean->deviation);
-      if (scatter.matters())
+      if (scatter.matters()) {
         profile.likely = curves_through(clean->likely);
-      else
+      } else {
         clean.reset();
+      }
     }
     if (wavelength > 0.0) {
       profile.points = smooth_points(profile.points, wavelength);
@@ -152,8 +142,9 @@ void join(Profile& profile, const ReadOptions& options, Log& log) {
     } else if (clean) {
       smooth_by_noise(profile, *clean, options.smoothing_wavelength.has_value(), log);
     }
-    if (scatter.matters())
+    if (scatter.matters()) {
       report_noise(scatter, clean ? &*clean : nullptr, wavelength, log);
+    }
     profile.curve = curve_through(profile.points);
   } catch (const Error& error) {
     log.refuse(error.what());
@@ -164,12 +155,16 @@ void join(Profile& profile, const ReadOptions& options, Log& log) {
 /// The profile to which the points are aligned, if any.
 std::optional<Profile> nominal_of(const ReadOptions& options, const Log& log) {
   const std::string& name = options.align_to;
-  if (name.empty())
+  if (name.empty()) {
     return std::nullopt;
-  for (const ProfileKind kind : {ProfileKind::wheel, ProfileKind::rail})
-    for (const std::string_view known : standard_profile_names(kind))
-      if (known == name)
+  }
+  for (const ProfileKind kind : {ProfileKind::wheel, ProfileKind::rail}) {
+    for (const std::string_view known : standard_profile_names(kind)) {
+      if (known == name) {
         return standard_profile(name);
+      }
+    }
+  }
   ReadOptions plain;
   plain.kind = options.kind;
   try {
@@ -205,8 +200,9 @@ ReadResult complete(RawProfile& raw, std::string_view name, const std::string& o
 
 RawProfile parse(std::string_view text, ProfileFormat format, const ReadOptions& options,
                  Log& log) {
-  if (format != ProfileFormat::miniprof)
+  if (format != ProfileFormat::miniprof) {
     log.refuse_slice(options.slice);
+  }
   switch (format) {
   case ProfileFormat::simpack:
     return reading::read_simpack(text, log);
@@ -225,7 +221,7 @@ ReadResult read_slice(const std::string& content, const std::filesystem::path& p
   const std::optional<std::string> other_text = reading::decoded(content);
   const std::vector<Slice> slices = read_slices(other_text ? *other_text : content, path);
   const auto count = static_cast<int>(slices.size());
-  if (options.slice < 1 || options.slice > count)
+  if (options.slice < 1 || options.slice > count) {
     throw Error(ErrorCode::file_malformed,
                 path.string() + ": slice = " + std::to_string(options.slice) +
                     ", allowed is 1 to " + std::to_string(count) + " of its " +
@@ -233,14 +229,17 @@ ReadResult read_slice(const std::string& content, const std::filesystem::path& p
                     "; one profile is read here. All slices together are a rail or a wheel of a "
                     "scene (track.rail, "
                     "wheelset.wheel); wrc_profile FILE --slice N --convert writes one of them");
+  }
   const Slice& chosen = slices[static_cast<std::size_t>(options.slice - 1)];
-  if (type_of(chosen.file).format == ProfileFormat::slices)
+  if (type_of(chosen.file).format == ProfileFormat::slices) {
     throw Error(ErrorCode::file_malformed,
                 path.string() + ": a slice is itself a slices file, " + chosen.file.string());
+  }
   ReadOptions of_slice = options;
   of_slice.slice = 0;
-  if (!of_slice.kind)
+  if (!of_slice.kind) {
     of_slice.kind = kind;
+  }
   ReadResult result = read_profile(chosen.file, of_slice);
   result.corrections.insert(result.corrections.begin(),
                             "slice " + std::to_string(options.slice) + " of " +
@@ -253,39 +252,47 @@ ReadResult read_slice(const std::string& content, const std::filesystem::path& p
 } // namespace
 
 void check_options(const ReadOptions& options) {
-  if (options.scale && (!(*options.scale > 0.0) || !std::isfinite(*options.scale)))
+  if (options.scale && (!(*options.scale > 0.0) || !std::isfinite(*options.scale))) {
     throw_invalid_argument("scale", *options.scale, "a positive finite number");
+  }
   const double wavelength = options.smoothing_wavelength.value_or(automatic_smoothing);
   if (wavelength != automatic_smoothing &&
-      !(wavelength >= 0.0 && wavelength <= ReadLimits::max_length))
+      !(wavelength >= 0.0 && wavelength <= ReadLimits::max_length)) {
     throw_invalid_argument("smoothing_wavelength", wavelength,
                            "automatic, or 0 (none) to " + text_of(ReadLimits::max_length) + " mm");
-  if (!(options.least_point_distance > 0.0) || options.least_point_distance > 1.0)
+  }
+  if (!(options.least_point_distance > 0.0) || options.least_point_distance > 1.0) {
     throw_invalid_argument("least_point_distance", options.least_point_distance,
                            "above 0, at most 1 mm");
+  }
   if (options.tape_offset && !(*options.tape_offset >= ReadLimits::min_tape_offset &&
-                               *options.tape_offset <= ReadLimits::max_tape_offset))
+                               *options.tape_offset <= ReadLimits::max_tape_offset)) {
     throw_invalid_argument("tape_offset", *options.tape_offset,
                            text_of(ReadLimits::min_tape_offset) + " to " +
                                text_of(ReadLimits::max_tape_offset) + " mm");
-  if (options.rotation && !(std::abs(*options.rotation) <= ReadLimits::max_rotation))
+  }
+  if (options.rotation && !(std::abs(*options.rotation) <= ReadLimits::max_rotation)) {
     throw_invalid_argument("rotation", *options.rotation,
                            "-" + text_of(ReadLimits::max_rotation) + " to " +
                                text_of(ReadLimits::max_rotation) + " rad");
-  if (!(std::abs(options.lateral_shift) <= ReadLimits::max_length))
+  }
+  if (!(std::abs(options.lateral_shift) <= ReadLimits::max_length)) {
     throw_invalid_argument("lateral_shift", options.lateral_shift,
                            "-" + text_of(ReadLimits::max_length) + " to " +
                                text_of(ReadLimits::max_length) + " mm");
+  }
 }
 
 ReadResult read_profile_text(std::string_view text, ProfileFormat format, std::string_view name,
                              const ReadOptions& options) {
   check_options(options);
   Log log(name, options.strict);
-  if (text.size() > ReadLimits::file_bytes)
+  if (text.size() > ReadLimits::file_bytes) {
     log.refuse("larger than " + std::to_string(ReadLimits::file_bytes) + " bytes");
-  if (text.empty())
+  }
+  if (text.empty()) {
     log.refuse("is empty");
+  }
   reading::refuse_foreign(text, log);
   const std::optional<std::string> other_text = reading::decoded(text);
   RawProfile raw = parse(other_text ? *other_text : text, format, options, log);
@@ -299,10 +306,12 @@ ReadResult read_profile(const std::filesystem::path& path, const ReadOptions& op
   const FileType type = type_of(path);
   ProfileFormat format = type.format;
   const std::string content = read_file(path, ReadLimits::file_bytes);
-  if (format == ProfileFormat::slices)
+  if (format == ProfileFormat::slices) {
     return read_slice(content, path, *type.kind, options);
-  if (format == ProfileFormat::columns)
+  }
+  if (format == ProfileFormat::columns) {
     format = reading::format_by_content(content).value_or(format);
+  }
   return read_profile_text(content, format, path.string(), options);
 }
 
@@ -313,11 +322,13 @@ ReadResult profile_through(std::span<const Position> points, std::string_view na
   RawProfile raw;
   try {
     for (std::size_t i = 0; i < points.size(); ++i) {
-      for (const std::size_t coordinate : {std::size_t{0}, std::size_t{1}})
-        if (const double value = points[i][coordinate]; !std::isfinite(value))
+      for (const std::size_t coordinate : {std::size_t{0}, std::size_t{1}}) {
+        if (const double value = points[i][coordinate]; !std::isfinite(value)) {
           log.refuse("point " + std::to_string(i) + ": " +
                      (coordinate == 0 ? "lateral" : "height") + " = " + text_of(value) +
                      ", allowed are finite numbers");
+        }
+      }
       reading::add_point(raw, points[i], i, log);
     }
     raw.lines.clear();

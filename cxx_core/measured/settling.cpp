@@ -7,7 +7,9 @@
 
 #include "base/error.hpp"
 #include "measured/alignment.hpp"
+#include "measured/constants.hpp"
 #include "measured/plausibility.hpp"
+#include "measured/plausible_shapes.hpp"
 #include "measured/profile_cleaning.hpp"
 #include "measured/profile_shape.hpp"
 #include "measured/tilt.hpp"
@@ -16,36 +18,6 @@
 
 namespace wrc::reading {
 namespace {
-
-/// Taping line of a wheel from its flange back, where nothing states it, mm.
-/// origin: published: EN 13715.
-constexpr double usual_tape_offset = 70.0;
-
-/// Widths in mm that tell units: of a wheel, of a rail's head.
-/// origin: published: EN 13715, EN 13674-1.
-constexpr double wheel_width = 135.0;
-constexpr double rail_width = 72.0;
-/// A unit of another power of ten is taken by these widths, an inch or a cm only near a whole
-/// profile's width, by this factor.
-/// origin: reasoned: 1000 cannot be mistaken; 10 and 25.4 differ by 2.5, so 1.3 keeps them apart.
-constexpr Position thinkable_width{20.0, 300.0};
-constexpr double near_width = 1.3;
-
-/// Columns are swapped if the first extends over less than this share of the second; a whole rail
-/// is as high as wide, a half one higher, in mm.
-/// origin: published: wheels and heads of rails are at least 1.9 times as wide as high (EN 13715,
-/// EN 13674-1).
-constexpr double swapped_ratio = 0.6;
-constexpr double greatest_head_height = 100.0;
-/// The outer half of a wheel rises above its tread by less than this, mm, the head and the foot of
-/// a half rail above its web by more. origin: published: hollow treads have false flanges of up to
-/// 5 mm; half heads of rails are 25 mm thicker than half webs, half feet 50 mm (EN 13674-1).
-constexpr double greatest_rise_of_tread = 8.0;
-
-/// Where a wheel that counts from its flange back begins, and its tip, mm.
-/// origin: measured: files of six instruments begin at -0.2 to 3.9, tips are at 15 to 21.
-constexpr Position back_range{-5.0, 12.0};
-constexpr Position tip_from_back{5.0, 40.0};
 
 std::string_view name_of(ProfileKind kind) {
   return kind == ProfileKind::wheel ? "wheel" : "rail";
@@ -56,28 +28,30 @@ std::optional<ProfileKind> stated_kind(const RawProfile& raw, const ReadOptions&
                                        Log& log) {
   const std::optional<ProfileKind> by_name = type_of(log.name()).kind;
   const std::optional<ProfileKind> by_content = raw.kind ? raw.kind : by_name;
-  if (raw.kind && by_name && *raw.kind != *by_name)
+  if (raw.kind && by_name && *raw.kind != *by_name) {
     log.note("the header says " + std::string(name_of(*raw.kind)) + ", the extension " +
              std::string(name_of(*by_name)) + "; the header is used");
-  if (options.kind && by_content && *options.kind != *by_content)
+  }
+  if (options.kind && by_content && *options.kind != *by_content) {
     log.note("read as a " + std::string(name_of(*options.kind)) + " as requested; the file says " +
              std::string(name_of(*by_content)));
+  }
   return options.kind ? options.kind : by_content;
 }
-
-/// The outline of a whole rail is longer than what can be its running surface.
-/// origin: published: outlines of EN 13674-1 are up to 690 mm long.
-constexpr double longest_outline = 1000.0;
 
 void check_length(const RawProfile& raw, double most, const Log& log) {
   const std::vector<Position>& points = raw.points;
   const double length = chord_length(points);
-  if (length >= ReadLimits::min_length && length <= most)
+  if (length >= ReadLimits::min_length && length <= most) {
     return;
+  }
   std::size_t end = 1; // of the longest chord
-  for (std::size_t i = 2; i < points.size(); ++i)
-    if (distance_between(points[i - 1], points[i]) > distance_between(points[end - 1], points[end]))
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    if (distance_between(points[i - 1], points[i]) >
+        distance_between(points[end - 1], points[end])) {
       end = i;
+    }
+  }
   const auto point_text = [&raw](std::size_t i) {
     return place_text(raw.points[i]) + (raw.lines.size() == raw.points.size()
                                             ? " in line " + std::to_string(raw.lines[i])
@@ -95,17 +69,23 @@ void check_length(const RawProfile& raw, double most, const Log& log) {
 double unit_by_extent(double width, std::optional<ProfileKind> kind) {
   const auto is_near = [width](double factor, double usual) {
     const double ratio = factor * width / usual;
-    return ratio < near_width && ratio > 1.0 / near_width;
+    return ratio < plausible::near_width && ratio > 1.0 / plausible::near_width;
   };
-  if (width >= thinkable_width[0] && width <= thinkable_width[1])
+  if (width >= plausible::thinkable_width[0] && width <= plausible::thinkable_width[1]) {
     return 1.0;
-  for (const double factor : {10.0, 25.4})
-    if ((kind != ProfileKind::rail && is_near(factor, wheel_width)) ||
-        (kind != ProfileKind::wheel && is_near(factor, rail_width)))
+  }
+  for (const double factor : {10.0, 25.4}) {
+    if ((kind != ProfileKind::rail && is_near(factor, plausible::usual_wheel_width)) ||
+        (kind != ProfileKind::wheel && is_near(factor, plausible::usual_head_width))) {
       return factor;
-  for (const double factor : {1000.0, 0.001})
-    if (factor * width >= thinkable_width[0] && factor * width <= thinkable_width[1])
+    }
+  }
+  for (const double factor : {1000.0, 0.001}) {
+    if (factor * width >= plausible::thinkable_width[0] &&
+        factor * width <= plausible::thinkable_width[1]) {
       return factor;
+    }
+  }
   return 1.0;
 }
 
@@ -128,11 +108,13 @@ void settle_units(RawProfile& raw, std::optional<ProfileKind> kind, const ReadOp
       scale_points(raw, factor, factor);
     }
   }
-  check_length(raw, longest_outline, log);
-  for (const Position& point : points)
-    if (!(std::max(std::abs(point[0]), std::abs(point[1])) <= ReadLimits::max_coordinate))
+  check_length(raw, plausible::longest_outline, log);
+  for (const Position& point : points) {
+    if (!(std::max(std::abs(point[0]), std::abs(point[1])) <= ReadLimits::max_coordinate)) {
       log.refuse("point (" + text_of(point[0]) + ", " + text_of(point[1]) + "), at most " +
                  text_of(ReadLimits::max_coordinate) + " mm are allowed");
+    }
+  }
 }
 
 /// Whether points are a wheel once their columns are swapped: it stands off its tread at one end, a
@@ -140,32 +122,36 @@ void settle_units(RawProfile& raw, std::optional<ProfileKind> kind, const ReadOp
 bool is_swapped_wheel(const std::vector<Position>& points) {
   std::vector<Position> swapped;
   swapped.reserve(points.size());
-  for (const Position& point : points)
+  for (const Position& point : points) {
     swapped.push_back({point[1], point[0]});
+  }
   const std::optional<Flange> flange = flange_of(swapped);
-  if (!flange)
+  if (!flange) {
     return false;
+  }
   const double side = flange->is_down ? -1.0 : 1.0;
   const double tread = flange->tip[1] - side * flange->height;
   const Position lateral = extent_of(swapped, 0);
   const double middle = 0.5 * (lateral[0] + lateral[1]);
   return std::none_of(swapped.begin(), swapped.end(), [&](const Position& point) {
     return (point[0] > middle) != flange->is_outside &&
-           side * (point[1] - tread) > greatest_rise_of_tread;
+           side * (point[1] - tread) > plausible::off_tread;
   });
 }
 
 void settle_columns(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) {
-  if (raw.signs != Signs::silent || raw.columns_are_named)
+  if (raw.signs != Signs::silent || raw.columns_are_named) {
     return;
+  }
   const Position first = extent_of(raw.points, 0);
   const Position second = extent_of(raw.points, 1);
   const double width = first[1] - first[0];
   const double height = second[1] - second[0];
-  if (!(width < swapped_ratio * height) || !(height >= thinkable_width[0]) ||
-      (kind != ProfileKind::wheel && height > greatest_head_height &&
-       (kind || !is_swapped_wheel(raw.points))))
+  if (!(width < plausible::swapped_ratio * height) || !(height >= plausible::thinkable_width[0]) ||
+      (kind != ProfileKind::wheel && height > plausible::greatest_head_height &&
+       (kind || !is_swapped_wheel(raw.points)))) {
     return;
+  }
   log.guess("columns swapped, since the first extends over " + fixed_text(width) +
                 " mm and the second over " + fixed_text(height) + " mm",
             "name them in a heading, \"z y\"");
@@ -174,8 +160,9 @@ void settle_columns(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) 
 
 /// A wheel has a flange. A rail's ends are both on one side of its middle.
 ProfileKind kind_by_shape(const std::vector<Position>& points) {
-  if (flange_of(points))
+  if (flange_of(points)) {
     return ProfileKind::wheel;
+  }
   const double middle = points[points.size() / 2][1];
   return (points.front()[1] - middle) * (points.back()[1] - middle) > 0.0 ? ProfileKind::rail
                                                                           : ProfileKind::wheel;
@@ -197,16 +184,19 @@ void orient_height(RawProfile& raw, ProfileKind kind, Log& log) {
   std::string evidence;
   if (kind == ProfileKind::rail) {
     const std::optional<Head> head = head_of(raw.points);
-    if (!head || !head->is_down)
+    if (!head || !head->is_down) {
       return;
+    }
     evidence = "the rail head bulged down: it is " + fixed_text(head->top_width) +
                " mm wide at its lower end, " + fixed_text(head->bottom_width) + " at its upper one";
   } else {
     const std::optional<Flange> flange = flange_of(raw.points);
-    if (!flange || !flange->is_down)
+    if (!flange || !flange->is_down) {
       return;
-    evidence = "the flange pointed down: " + fixed_text(flange->width) +
-               " mm wide 8 mm below the tread, above it are " + fixed_text(flange->other_width);
+    }
+    evidence = "the flange pointed down: " + fixed_text(flange->width) + " mm wide " +
+               fixed_text(plausible::off_tread, 0) + " mm below the tread, above it are " +
+               fixed_text(flange->other_width);
   }
   const bool half_turn = kind == ProfileKind::rail && raw.rail_height_down;
   scale_points(raw, half_turn ? -1.0 : 1.0, -1.0);
@@ -247,12 +237,14 @@ void shift(RawProfile& raw, const Position& by) {
 
 bool counts_from_flange_back(const RawProfile& raw) {
   const double least = extent_of(raw.points, 0)[0];
-  if (raw.counts_from_flange_back) // unless an offset moved it
-    return least >= back_range[0];
+  if (raw.counts_from_flange_back) { // unless an offset moved it
+    return least >= plausible::begin_from_back[0];
+  }
   const std::optional<Flange> flange = flange_of(raw.points);
-  return flange && !flange->is_outside && !flange->is_down && least >= back_range[0] &&
-         least <= back_range[1] && flange->tip[0] >= tip_from_back[0] &&
-         flange->tip[0] <= tip_from_back[1];
+  return flange && !flange->is_outside && !flange->is_down &&
+         least >= plausible::begin_from_back[0] && least <= plausible::begin_from_back[1] &&
+         flange->tip[0] >= plausible::tip_from_back[0] &&
+         flange->tip[0] <= plausible::tip_from_back[1];
 }
 
 /// What is to be added to a wheel's lateral, so that its taping line is at 0; none if it is there.
@@ -267,33 +259,38 @@ std::optional<double> shift_to_taping_line(const RawProfile& raw, double tape_of
     log.note("lateral counted from the flange back, as stated" + shifted);
     return -tape_offset;
   }
-  if (options.origin == WheelOrigin::tape || !counts_from_flange_back(raw))
+  if (options.origin == WheelOrigin::tape || !counts_from_flange_back(raw)) {
     return std::nullopt;
+  }
   const std::string text = "lateral counted from the flange back, where it begins at " +
                            fixed_text(extent_of(raw.points, 0)[0]) + " mm" + shifted;
-  if (raw.counts_from_flange_back)
+  if (raw.counts_from_flange_back) {
     log.note(text);
-  else
+  } else {
     log.guess(text, "state profile_origin");
+  }
   return -tape_offset;
 }
 
 /// Puts the taping line of a wheel to lateral 0, and the height there to 0.
 void settle_origin(RawProfile& raw, double tape_offset, const ReadOptions& options, Log& log) {
   const std::optional<double> by = shift_to_taping_line(raw, tape_offset, options, log);
-  if (by)
+  if (by) {
     shift(raw, {*by, 0.0});
+  }
   const std::optional<double> height = height_at_taping_line(raw.points);
-  const bool is_off = height && std::abs(*height) > tape_height_tolerance;
-  if (!height || (!by && (!is_off || options.origin == WheelOrigin::tape)))
+  const bool is_off = height && !plausible::tape_height.holds(*height);
+  if (!height || (!by && (!is_off || options.origin == WheelOrigin::tape))) {
     return;
+  }
   shift(raw, {0.0, -*height});
   const std::string text =
       "height shifted by " + fixed_text(-*height, 4) + " mm, to 0 at the taping line";
-  if (by)
+  if (by) {
     log.note(text);
-  else
+  } else {
     log.guess(text, "state profile_origin");
+  }
 }
 
 /// About the taping line of a wheel, whose height stays, or the origin of a rail.
@@ -306,23 +303,22 @@ void turn_points(RawProfile& raw, ProfileKind kind, double angle) {
   shift(raw, {0.0, height});
 }
 
-/// Half of the points lie within this distance of their nominal profile, mm; else a warning.
-/// origin: reasoned: wear leaves half of a wheel nearer than that.
-constexpr double usual_bound = 1.0;
-
 void align_points(RawProfile& raw, ProfileKind kind, const Profile& nominal, Log& log) {
-  if (nominal.kind != kind)
+  if (nominal.kind != kind) {
     log.refuse("align_to: " + nominal.name + " is a " + std::string(name_of(nominal.kind)) +
                ", allowed is a " + std::string(name_of(kind)));
+  }
   const std::optional<Alignment> found = alignment_to(nominal.curve, raw.points);
-  if (!found)
+  if (!found) {
     log.refuse("cannot be aligned to " + nominal.name +
                ": too few points beside it, or a shape that shows no rotation");
+  }
   change_points(raw, [&](const Position& point) { return found->motion.of(point); });
-  if (found->bound > usual_bound)
+  if (found->bound > usual_bound) {
     log.warn(WarningClass::profile_tilt, "aligned to " + nominal.name + ", but only within " +
                                              fixed_text(found->bound, 1) +
                                              " mm: is it the nominal profile of this one?");
+  }
   log.note("aligned to " + nominal.name + ": turned by " +
            fixed_text(found->motion.rotation * 180.0 / std::numbers::pi, 3) +
            " degrees, moved by " + fixed_text(found->motion.shift[0], 3) + " mm in lateral and " +
@@ -340,11 +336,13 @@ void settle_rotation(RawProfile& raw, ProfileKind kind, const ReadOptions& optio
     log.note("turned by " + short_text_of(*options.rotation * 180.0 / std::numbers::pi) +
              " degrees as requested");
   }
-  if (nominal != nullptr)
+  if (nominal != nullptr) {
     align_points(raw, kind, *nominal, log);
-  else if (!options.rotation && kind == ProfileKind::wheel)
-    if (const double rotation = untilting_rotation(raw.points, log); rotation != 0.0)
+  } else if (!options.rotation && kind == ProfileKind::wheel) {
+    if (const double rotation = untilting_rotation(raw.points, log); rotation != 0.0) {
       turn_points(raw, kind, rotation);
+    }
+  }
 }
 
 } // namespace
@@ -352,24 +350,27 @@ void settle_rotation(RawProfile& raw, ProfileKind kind, const ReadOptions& optio
 Settled settle(RawProfile& raw, const ReadOptions& options, Log& log, const Profile* nominal) {
   const std::optional<ProfileKind> stated = stated_kind(raw, options, log);
   std::vector<Position>& points = raw.points;
-  if (points.size() < ReadLimits::min_points)
+  if (points.size() < ReadLimits::min_points) {
     log.refuse(std::to_string(points.size()) + " points" +
                (raw.lines.empty() ? "" : ", the last in line " + std::to_string(raw.lines.back())) +
                ", at least " + std::to_string(ReadLimits::min_points) +
                " are needed; allowed are files of two columns, Simpack .prr/.prw, MiniProf "
                ".ban/.whl");
+  }
   settle_units(raw, stated, options, log);
   open_outline(raw, stated, log);
   remove_doubles(raw, options.least_point_distance, log);
   remove_outliers(raw, log);
   remove_doubles(raw, options.least_point_distance, log); // that outliers were between
-  if (points.size() < ReadLimits::min_points)
+  if (points.size() < ReadLimits::min_points) {
     log.refuse(std::to_string(points.size()) + " different points, at least " +
                std::to_string(ReadLimits::min_points) + " are needed");
+  }
   settle_columns(raw, stated, log);
   const ProfileKind kind = stated ? *stated : kind_by_shape(points);
-  if (!stated)
+  if (!stated) {
     log.guess("treated as a " + std::string(name_of(kind)) + " by its shape", "state the kind");
+  }
   turn_to_frame(raw, kind, log);
   orient(raw, kind, options, log);
   if (points.front()[0] > points.back()[0]) {
@@ -377,10 +378,12 @@ Settled settle(RawProfile& raw, const ReadOptions& options, Log& log, const Prof
     log.note("order reversed, to run from the flange or gauge side to the field side");
   }
   cut_ends(raw, kind, log);
-  const double tape_offset =
-      options.tape_offset ? *options.tape_offset : raw.tape_offset.value_or(usual_tape_offset);
-  if (kind == ProfileKind::wheel)
+  const double tape_offset = options.tape_offset
+                                 ? *options.tape_offset
+                                 : raw.tape_offset.value_or(plausible::usual_tape_offset);
+  if (kind == ProfileKind::wheel) {
     settle_origin(raw, tape_offset, options, log);
+  }
   settle_rotation(raw, kind, options, nominal, log);
   check_points(points, kind, tape_offset, log, nominal != nullptr);
   return {kind, std::move(raw.points), std::move(raw.dropped)};

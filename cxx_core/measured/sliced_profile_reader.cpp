@@ -6,6 +6,8 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "measured/plausible_shapes.hpp"
+#include "measured/profile_shape.hpp"
 #include "measured/reader_formats.hpp"
 #include "measured/reader_text.hpp"
 #include "measured/readers.hpp"
@@ -22,15 +24,6 @@ namespace {
 using reading::Log;
 using reading::RawProfile;
 
-/// Slices narrower than this are in metres.
-/// origin: reasoned: the narrowest slice, a blade of a switch, is a few mm wide; the widest, a
-/// crossing with its wing rails, 0.5 m.
-constexpr double narrowest_width = 2.0;
-
-/// Longest line of a slice, mm.
-/// origin: published: outlines of EN 13674-1 are up to 690 mm long.
-constexpr double max_slice_length = 1000.0;
-
 RawProfile read_two_columns(std::string_view text, const Log& log) {
   RawProfile raw;
   reading::Lines lines(text, log);
@@ -38,10 +31,12 @@ RawProfile read_two_columns(std::string_view text, const Log& log) {
     const std::string row =
         reading::plain_row(lines.text().substr(0, reading::comment_of(lines.text())));
     const reading::Words words = reading::words_of(row, " ");
-    if (words.count == 0)
+    if (words.count == 0) {
       continue;
-    if (words.count < 2)
+    }
+    if (words.count < 2) {
       log.refuse(lines.number(), "one number, a point has lateral and height");
+    }
     reading::add_point(raw,
                        {reading::finite_number(words.word[0], lines.number(), log),
                         reading::finite_number(words.word[1], lines.number(), log)},
@@ -53,8 +48,9 @@ RawProfile read_two_columns(std::string_view text, const Log& log) {
 RawProfile read_points(const std::filesystem::path& file, const std::string& name) {
   Log log(name + " '" + file.string() + "'", false);
   const ProfileFormat format = type_of(file).format;
-  if (format == ProfileFormat::slices || format == ProfileFormat::miniprof)
+  if (format == ProfileFormat::slices || format == ProfileFormat::miniprof) {
     log.refuse("is no profile in columns or of Simpack, which a slice must be");
+  }
   const std::string content = [&] {
     try {
       return read_file(file, ReadLimits::file_bytes);
@@ -68,9 +64,10 @@ RawProfile read_points(const std::filesystem::path& file, const std::string& nam
   const bool is_simpack = format == ProfileFormat::simpack ||
                           reading::format_by_content(text) == ProfileFormat::simpack;
   RawProfile raw = is_simpack ? reading::read_simpack(text, log) : read_two_columns(text, log);
-  if (raw.points.size() < ReadLimits::min_points)
+  if (raw.points.size() < ReadLimits::min_points) {
     log.refuse(std::to_string(raw.points.size()) + " points, at least " +
                std::to_string(ReadLimits::min_points) + " are needed");
+  }
   return raw;
 }
 
@@ -100,12 +97,14 @@ public:
     set_scale(all);
     set_height_sign(all);
     const double lateral_sign = options_.mirror_lateral.value_or(false) ? -1.0 : 1.0;
-    if (lateral_sign < 0.0)
+    if (lateral_sign < 0.0) {
       profile_.corrections.emplace_back("lateral mirrored as requested");
+    }
     for (RawProfile& raw : all) {
       reading::scale_points(raw, lateral_sign * scale_, height_sign_ * scale_);
-      if (raw.points.front()[0] > raw.points.back()[0])
+      if (raw.points.front()[0] > raw.points.back()[0]) {
         std::reverse(raw.points.begin(), raw.points.end());
+      }
     }
   }
 
@@ -117,15 +116,17 @@ private:
       width = std::max(width, width_of(raw));
       is_stated = is_stated && raw.unit_is_stated;
     }
-    if (options_.scale)
+    if (options_.scale) {
       scale_ = *options_.scale;
-    else if (!is_stated && width < narrowest_width)
+    } else if (!is_stated && width < plausible::narrowest_slice) {
       scale_ = 1000.0;
-    if (scale_ != 1.0)
+    }
+    if (scale_ != 1.0) {
       profile_.corrections.push_back(
           "points of all slices multiplied by " + text_of(scale_) + " to mm" +
           (options_.scale ? " as requested"
                           : ", since all are narrower than " + short_text_of(width)));
+    }
   }
   void set_height_sign(const std::vector<RawProfile>& all) {
     double sum = 0.0;
@@ -137,11 +138,12 @@ private:
     const bool is_rail = profile_.kind == ProfileKind::rail;
     const bool mirrors = options_.mirror_height.value_or(is_rail && (is_down || sum > 0.0));
     height_sign_ = mirrors ? -1.0 : 1.0;
-    if (mirrors)
+    if (mirrors) {
       profile_.corrections.push_back(std::string("heights of all slices mirrored") +
                                      (options_.mirror_height ? " as requested"
                                       : is_down ? ", since the format has them downwards"
                                                 : ", since the rails would lie above height 0"));
+    }
   }
 
   SlicedProfile& profile_;
@@ -150,43 +152,43 @@ private:
   double height_sign_ = 1.0;
 };
 
-double chord_length(const std::vector<Position>& points) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    length += std::hypot(points[i][0] - points[i - 1][0], points[i][1] - points[i - 1][1]);
-  return length;
-}
-
 /// The lengths along the points as arc lengths of the curve through them.
 std::vector<std::optional<double>> features_of(const Slice& slice, double chords, double arc,
                                                ProfileKind kind) {
   std::vector<std::optional<double>> features = slice.features;
-  for (std::optional<double>& feature : features)
+  for (std::optional<double>& feature : features) {
     if (feature) {
       const double share = std::min(*feature / chords, 1.0);
       feature = kind == ProfileKind::rail ? share * arc : (1.0 - share) * arc;
     }
-  if (kind == ProfileKind::wheel)
+  }
+  if (kind == ProfileKind::wheel) {
     std::reverse(features.begin(), features.end());
+  }
   return features;
 }
 
 ProfileSlice make_slice(const Slice& slice, RawProfile& raw, ProfileKind kind,
                         const ReadOptions& options, const Log& log) {
-  const double chords = chord_length(raw.points);
-  if (!(chords >= ReadLimits::min_length && chords <= max_slice_length))
+  const double chords = reading::chord_length(raw.points);
+  if (!(chords >= ReadLimits::min_length && chords <= plausible::longest_outline)) {
     log.refuse("the points are " + short_text_of(chords) + " mm long in total, allowed are " +
-               text_of(ReadLimits::min_length) + " to " + text_of(max_slice_length) + " mm");
-  for (const Position& point : raw.points)
-    if (!(std::max(std::abs(point[0]), std::abs(point[1])) <= ReadLimits::max_coordinate))
+               text_of(ReadLimits::min_length) + " to " + text_of(plausible::longest_outline) +
+               " mm");
+  }
+  for (const Position& point : raw.points) {
+    if (!(std::max(std::abs(point[0]), std::abs(point[1])) <= ReadLimits::max_coordinate)) {
       log.refuse("a point at " + text_of(point[0]) + ", " + text_of(point[1]) + " mm, at most " +
                  text_of(ReadLimits::max_coordinate) + " mm are allowed");
+    }
+  }
   reading::drop_close_points(raw.points, options.least_point_distance);
   ProfileSlice result;
   result.place = slice.place;
   try {
-    if (const double wavelength = options.smoothing_wavelength.value_or(0.0); wavelength > 0.0)
+    if (const double wavelength = options.smoothing_wavelength.value_or(0.0); wavelength > 0.0) {
       raw.points = smooth_points(raw.points, wavelength);
+    }
     result.curve = curve_through(raw.points);
   } catch (const Error& error) {
     log.refuse(error.what());
@@ -198,12 +200,14 @@ ProfileSlice make_slice(const Slice& slice, RawProfile& raw, ProfileKind kind,
 /// Those that the slices show by themselves.
 void add_features(SlicedProfile& profile, const Log& log) {
   std::vector<const Curve*> curves;
-  for (const ProfileSlice& slice : profile.slices)
+  for (const ProfileSlice& slice : profile.slices) {
     curves.push_back(&slice.curve);
+  }
   try {
     FoundFeatures found = find_features(curves);
-    for (std::size_t i = 0; i < found.of_slices.size(); ++i)
+    for (std::size_t i = 0; i < found.of_slices.size(); ++i) {
       profile.slices[i].features = std::move(found.of_slices[i]);
+    }
     profile.corrections.insert(profile.corrections.end(), found.notes.begin(), found.notes.end());
   } catch (const Error& error) {
     log.refuse(error.what());
@@ -216,8 +220,9 @@ SlicedProfile read_sliced_profile(const std::filesystem::path& path, const ReadO
   check_options(options);
   const Log log(path.string(), false);
   const FileType type = type_of(path);
-  if (type.format != ProfileFormat::slices)
+  if (type.format != ProfileFormat::slices) {
     log.refuse("is no slices file, whose name ends in .slcs or .slcw");
+  }
   const std::string content = read_file(path, ReadLimits::file_bytes);
   const std::optional<std::string> other_text = reading::decoded(content);
   const SliceList list = read_slice_list(other_text ? *other_text : content, path);
@@ -233,28 +238,34 @@ SlicedProfile read_sliced_profile(const std::filesystem::path& path, const ReadO
   std::uintmax_t bytes = 0;
   for (std::size_t i = 0; i < list.slices.size(); ++i) {
     std::error_code unreadable; // which read_points tells
-    if (const auto size = std::filesystem::file_size(list.slices[i].file, unreadable); !unreadable)
+    if (const auto size = std::filesystem::file_size(list.slices[i].file, unreadable);
+        !unreadable) {
       bytes += size;
-    if (bytes > SliceLimits::file_bytes)
+    }
+    if (bytes > SliceLimits::file_bytes) {
       log.refuse("more than " + std::to_string(SliceLimits::file_bytes >> 20) +
                  " MB of files up to slice " + std::to_string(i + 1));
+    }
     raw.push_back(read_points(list.slices[i].file, name_of(i)));
     points += raw.back().points.size();
-    if (points > SliceLimits::max_points)
+    if (points > SliceLimits::max_points) {
       log.refuse("more than " + std::to_string(SliceLimits::max_points) + " points up to slice " +
                  std::to_string(i + 1));
+    }
   }
   Settlement(profile, options).apply(raw);
-  if (const double wavelength = options.smoothing_wavelength.value_or(0.0); wavelength > 0.0)
+  if (const double wavelength = options.smoothing_wavelength.value_or(0.0); wavelength > 0.0) {
     profile.corrections.push_back("points of all slices smoothed across: waves of " +
                                   text_of(wavelength) + " mm are halved");
+  }
   for (std::size_t i = 0; i < raw.size(); ++i) {
     const Log of_slice(name_of(i) + " '" + list.slices[i].file.string() + "'", false);
     profile.slices.push_back(make_slice(list.slices[i], raw[i], profile.kind, options, of_slice));
     raw[i] = {}; // frees its points
   }
-  if (profile.slices.front().features.empty())
+  if (profile.slices.front().features.empty()) {
     add_features(profile, log);
+  }
   return profile;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "measured/constants.hpp"
 #include "measured/read_options.hpp"
 #include "measured/reader_lines.hpp"
 #include "profile/limits.hpp"
@@ -16,10 +17,6 @@ using reading::Log;
 
 constexpr double max_slices = SliceLimits::max_slices;
 constexpr std::size_t most_listed = 20; // in a message; not a tuning constant
-/// Places given twice may differ by this fraction of them (of 1, if they are less), by rounding.
-/// origin: reasoned: below any distance of slices, above that of places with seven digits.
-constexpr double place_rounding = 1e-6;
-
 /// Lines with something on them, without comments.
 class Content {
 public:
@@ -30,8 +27,9 @@ public:
     while (lines_.next()) {
       const std::string_view line =
           reading::trimmed(lines_.text().substr(0, lines_.text().find('%')));
-      if (!line.empty())
+      if (!line.empty()) {
         return line;
+      }
     }
     log_.refuse("ends before " + what);
   }
@@ -40,8 +38,9 @@ public:
     while (lines_.next()) {
       const std::string_view line =
           reading::trimmed(lines_.text().substr(0, lines_.text().find('%')));
-      if (!line.empty())
+      if (!line.empty()) {
         refuse(reading::quoted(line) + " after " + what);
+      }
     }
   }
   [[nodiscard]] std::size_t line_number() const { return lines_.number(); }
@@ -51,11 +50,13 @@ public:
   /// At least `least` numbers at the begin of the next line.
   std::vector<double> numbers(std::size_t least, const std::string& what) {
     const reading::Words words = reading::words_of(next(what), " \t,");
-    if (words.count < least)
+    if (words.count < least) {
       refuse(what + " expected");
+    }
     std::vector<double> values;
-    for (std::size_t i = 0; i < least; ++i)
+    for (std::size_t i = 0; i < least; ++i) {
       values.push_back(number(words.word[i]));
+    }
     return values;
   }
   /// All numbers of the next line, at least one; words that are none end them.
@@ -65,10 +66,12 @@ public:
     for (constexpr std::string_view blanks = " \t,"; !rest.empty();) {
       const std::size_t end = std::min(rest.find_first_of(blanks), rest.size());
       const std::optional<double> value = reading::number_of(rest.substr(0, end));
-      if (!value && values.empty())
+      if (!value && values.empty()) {
         refuse(what + " expected");
-      if (!value)
+      }
+      if (!value) {
         break;
+      }
       values.push_back(number(rest.substr(0, end)));
       rest = rest.substr(end);
       rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
@@ -88,8 +91,9 @@ Slice read_slice(Content& content, double offset, double scale,
   const std::size_t first = line.find_first_of("'\"");
   const std::size_t last = line.find_last_of("'\"");
   const reading::Words words = reading::words_of(line.substr(0, first), " \t,");
-  if (first == std::string_view::npos || last <= first + 1 || words.count != 1)
+  if (first == std::string_view::npos || last <= first + 1 || words.count != 1) {
     content.refuse(reading::quoted(line) + ", expected a position and a file in quotes");
+  }
   std::string file(line.substr(first + 1, last - first - 1));
   std::replace(file.begin(), file.end(), '\\', '/');
   return {scale * (offset + content.number(words.word[0])), folder / file};
@@ -107,17 +111,19 @@ Head read_features_and_interpolation(Content& content) {
   const std::vector<double> counts = content.all_numbers("the number of features");
   Head head;
   if (!(counts[0] >= 0.0 && counts[0] <= SliceLimits::max_features) ||
-      std::trunc(counts[0]) != counts[0])
+      std::trunc(counts[0]) != counts[0]) {
     content.refuse(text_of(counts[0]) + " features, allowed are 0 to " +
                    std::to_string(SliceLimits::max_features));
+  }
   head.features = static_cast<std::size_t>(counts[0]);
   head.has_kinks = std::any_of(
       counts.begin() + 1,
       counts.begin() + std::min<std::ptrdiff_t>(3, static_cast<std::ptrdiff_t>(counts.size())),
       [](double count) { return count != 0.0; });
   const double interpolation = content.numbers(1, "the interpolation, 1 or 2").front();
-  if (interpolation != 1.0 && interpolation != 2.0)
+  if (interpolation != 1.0 && interpolation != 2.0) {
     content.refuse("interpolation " + text_of(interpolation) + ", allowed are 1 and 2");
+  }
   head.is_smoothed = interpolation == 2.0;
   return head;
 }
@@ -127,22 +133,25 @@ void read_features(Content& content, std::size_t count, double offset, double sc
                    std::size_t number, Slice& slice) {
   const std::string name = "slice " + std::to_string(number);
   const std::vector<double> values = content.all_numbers("the features of " + name);
-  if (values.size() != count + 1)
+  if (values.size() != count + 1) {
     content.refuse(std::to_string(values.size()) + " numbers, " + name + " has its place and " +
                    std::to_string(count) + " features");
+  }
   const double place = scale * (offset + values[0]);
-  if (std::abs(place - slice.place) > place_rounding * std::max(1.0, std::abs(slice.place)))
+  if (std::abs(place - slice.place) > place_rounding * std::max(1.0, std::abs(slice.place))) {
     content.refuse("features at " + text_of(place) + ", " + name + " is at " +
                    text_of(slice.place));
+  }
   double last = -1.0;
   for (std::size_t i = 1; i <= count; ++i) {
     if (values[i] == -1.0) {
       slice.features.emplace_back();
       continue;
     }
-    if (!(values[i] >= 0.0 && values[i] > last))
+    if (!(values[i] >= 0.0 && values[i] > last)) {
       content.refuse("feature " + std::to_string(i) + " of " + name + " at " + text_of(values[i]) +
                      " mm, features must ascend from 0, or be -1 for one that is absent");
+    }
     last = values[i];
     slice.features.emplace_back(values[i]);
   }
@@ -153,8 +162,9 @@ SliceList read_list(Content& content, const std::filesystem::path& path, Head& h
                     std::vector<double>& along) {
   along = content.numbers(2, "offset and scale of the places");
   const double count = content.numbers(1, "the number of slices").front();
-  if (!(count >= 1.0 && count <= max_slices) || std::trunc(count) != count)
+  if (!(count >= 1.0 && count <= max_slices) || std::trunc(count) != count) {
     content.refuse(text_of(count) + " slices, allowed are 1 to " + text_of(max_slices));
+  }
   const std::size_t line_of_count = content.line_number();
   head = read_features_and_interpolation(content);
   head.line_of_count = line_of_count;
@@ -163,12 +173,14 @@ SliceList read_list(Content& content, const std::filesystem::path& path, Head& h
   std::vector<Slice>& slices = list.slices;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     slices.push_back(read_slice(content, along[0], along[1], path.parent_path()));
-    if (i > 0 && !(slices[i].place > slices[i - 1].place))
+    if (i > 0 && !(slices[i].place > slices[i - 1].place)) {
       content.refuse("place " + text_of(slices[i].place) + " after " +
                      text_of(slices[i - 1].place) + ", places must ascend");
-    if (!(std::abs(slices[i].place) <= SliceLimits::max_place))
+    }
+    if (!(std::abs(slices[i].place) <= SliceLimits::max_place)) {
       content.refuse("place " + text_of(slices[i].place) + ", allowed are -" +
                      text_of(SliceLimits::max_place) + " to " + text_of(SliceLimits::max_place));
+    }
   }
   return list;
 }
@@ -189,8 +201,9 @@ std::vector<Slice> read_slices(std::string_view text, const std::filesystem::pat
   Head head;
   std::vector<double> along;
   SliceList list = read_list(content, path, head, along);
-  if (head.features < 2) // else lines with features follow
+  if (head.features < 2) { // else lines with features follow
     refuse_rest(content, list, head);
+  }
   return std::move(list.slices);
 }
 
@@ -200,10 +213,12 @@ SliceList read_slice_list(std::string_view text, const std::filesystem::path& pa
   Head head;
   std::vector<double> along;
   SliceList list = read_list(content, path, head, along);
-  if (head.has_kinks)
+  if (head.has_kinks) {
     log.refuse("has kinks or accelerations between its parts, which are not supported");
-  for (std::size_t i = 0; i < list.slices.size() && head.features >= 2; ++i)
+  }
+  for (std::size_t i = 0; i < list.slices.size() && head.features >= 2; ++i) {
     read_features(content, head.features, along[0], along[1], i + 1, list.slices[i]);
+  }
   refuse_rest(content, list, head);
   return list;
 }
@@ -211,8 +226,9 @@ SliceList read_slice_list(std::string_view text, const std::filesystem::path& pa
 std::string slices_text(const std::vector<Slice>& slices, ProfileKind kind) {
   std::string text = std::to_string(slices.size()) + " slices:";
   for (std::size_t i = 0; i < slices.size(); ++i) {
-    if (i + 1 < slices.size() && i >= most_listed)
+    if (i + 1 < slices.size() && i >= most_listed) {
       continue;
+    }
     text.append(i == most_listed && i + 1 == slices.size() ? " ..., " : i > 0 ? ", " : " ");
     text.append(std::to_string(i + 1)).append(" at ").append(text_of(slices[i].place));
     text.append(kind == ProfileKind::rail ? " mm " : " rad ");

@@ -35,7 +35,7 @@ inline constexpr double variation_of_ellipse = 24.0;
 inline constexpr std::size_t rows_of_differences = 8;
 
 /// Variance of an even pressure about the element's middle, in squared elements.
-/// origin: derived.
+/// origin: derived: the integral of x^2 over one element.
 inline constexpr double variance_of_element = 1.0 / 12.0;
 
 /// Two crests of the rows' forces are one lobe if the valley between is no deeper below the lesser

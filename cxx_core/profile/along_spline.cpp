@@ -6,32 +6,31 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "profile/constants.hpp"
 
 namespace wrc {
 namespace {
 
-/// An interval longer than this many times its neighbour is halved.
-/// origin: reasoned: uneven slices of a measurement, at most two to one, keep their spline; halves
-/// of a halved interval are no longer than twice the next.
-constexpr double most_growth = 2.5;
-/// Bound of input (not a tuning constant).
-constexpr std::size_t max_knots = 20000;
-
 void check(std::span<const double> places, double smoothing_length, double period) {
   const std::size_t least = period > 0.0 ? 1 : 2;
-  if (places.size() < least)
+  if (places.size() < least) {
     throw_invalid_argument("number of slices", std::to_string(places.size()),
                            "at least " + std::to_string(least));
-  for (std::size_t i = 0; i < places.size(); ++i)
-    if (!std::isfinite(places[i]) || (i > 0 && !(places[i] > places[i - 1])))
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!std::isfinite(places[i]) || (i > 0 && !(places[i] > places[i - 1]))) {
       throw_invalid_argument("place of slice " + std::to_string(i + 1), places[i],
                              "a finite number above that of the slice before");
-  if (period > 0.0 && !(places.back() - places.front() < period))
+    }
+  }
+  if (period > 0.0 && !(places.back() - places.front() < period)) {
     throw_invalid_argument("angles of the slices", places.back() - places.front(),
                            "allowed is less than one revolution, " + short_text_of(period) +
                                ": leave out the last slice if it repeats the first");
-  if (!(smoothing_length >= 0.0) || !std::isfinite(smoothing_length))
+  }
+  if (!(smoothing_length >= 0.0) || !std::isfinite(smoothing_length)) {
     throw_invalid_argument("smoothing length along", smoothing_length, "0 or more");
+  }
 }
 
 } // namespace
@@ -42,24 +41,29 @@ AlongSpline::AlongSpline(std::span<const double> places, double smoothing_length
   lambda_ = std::pow(smoothing_length / (2.0 * std::numbers::pi), 4);
   places_ = places.size();
   add_knots(places);
-  if (unknowns() == 0)
+  if (unknowns() == 0) {
     return;
+  }
   double closest = knots_.back() - knots_.front();
-  for (std::size_t i = 0; i + 1 < knots_.size(); ++i)
+  for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
     closest = std::min(closest, step(i));
-  if (!(smoothing_length <= longest_smoothing * closest))
+  }
+  if (!(smoothing_length <= longest_smoothing * closest)) {
     throw_invalid_argument("smoothing length along", smoothing_length,
                            "at most " + text_of(longest_smoothing) +
                                " distances of the closest knots, " + text_of(closest));
+  }
   factor_.emplace_back(matrix());
 }
 
 void AlongSpline::add_knots(std::span<const double> places) {
   knots_.assign(places.begin(), places.end());
-  if (is_periodic())
+  if (is_periodic()) {
     knots_.push_back(places.front() + period_);
-  for (std::size_t i = 0; i + 1 < knots_.size(); ++i)
+  }
+  for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
     place_before_.push_back(i);
+  }
   for (bool grew = true; grew;) {
     grew = false;
     std::vector<double> finer{knots_.front()};
@@ -78,9 +82,10 @@ void AlongSpline::add_knots(std::span<const double> places) {
       finer.push_back(knots_[i + 1]);
       origin.push_back(place_before_[i]);
     }
-    if (finer.size() > max_knots)
+    if (finer.size() > max_knots) {
       throw_invalid_argument("number of slices, with knots between those far apart",
                              std::to_string(finer.size()), "at most " + std::to_string(max_knots));
+    }
     knots_ = std::move(finer);
     place_before_ = std::move(origin);
   }
@@ -105,8 +110,9 @@ bool AlongSpline::has_row(std::size_t knot) const {
 }
 
 std::size_t AlongSpline::row_of(std::size_t knot) const {
-  if (!is_periodic())
+  if (!is_periodic()) {
     return knot - 1;
+  }
   // Knots in turn from both ends of the period, which keeps neighbours around it in a band.
   const std::size_t n = unknowns();
   return knot < (n + 1) / 2 ? 2 * knot : 2 * (n - 1 - knot) + 1;
@@ -136,8 +142,9 @@ BandMatrix AlongSpline::matrix() const { // R + lambda Q' W^-1 Q
   const std::size_t n = unknowns();
   BandMatrix result(n, std::min<std::size_t>(n - 1, is_periodic() ? 4 : 2));
   const auto add = [&](std::size_t one, std::size_t other, double value) {
-    if (row_of(one) >= row_of(other))
+    if (row_of(one) >= row_of(other)) {
       result.at(row_of(one), row_of(other)) += value;
+    }
   };
   for (std::size_t unknown = 0; unknown < n; ++unknown) {
     const std::size_t knot = knot_of(unknown);
@@ -147,8 +154,9 @@ BandMatrix AlongSpline::matrix() const { // R + lambda Q' W^-1 Q
       add(after(knot), knot, step(knot) / 6.0);
     }
   }
-  if (lambda_ == 0.0)
+  if (lambda_ == 0.0) {
     return result;
+  }
   const std::size_t own_knots = is_periodic() ? n : knots_.size();
   for (std::size_t knot = 0; knot < own_knots; ++knot) {
     // The rows in which the value at this knot stands, with its factor there.
@@ -157,26 +165,34 @@ BandMatrix AlongSpline::matrix() const { // R + lambda Q' W^-1 Q
       double factor;
     };
     std::vector<Entry> entries;
-    if (knot > 0 || is_periodic())
-      if (const std::size_t other = before(knot); has_row(other))
+    if (knot > 0 || is_periodic()) {
+      if (const std::size_t other = before(knot); has_row(other)) {
         entries.push_back({other, difference(other).after});
-    if (has_row(knot))
+      }
+    }
+    if (has_row(knot)) {
       entries.push_back({knot, difference(knot).at});
-    if (is_periodic() || knot + 1 < knots_.size())
-      if (const std::size_t other = after(knot); has_row(other))
+    }
+    if (is_periodic() || knot + 1 < knots_.size()) {
+      if (const std::size_t other = after(knot); has_row(other)) {
         entries.push_back({other, difference(other).before});
-    for (const Entry& one : entries)
-      for (const Entry& other : entries)
+      }
+    }
+    for (const Entry& one : entries) {
+      for (const Entry& other : entries) {
         add(one.row_knot, other.row_knot,
             lambda_ * one.factor * other.factor / neighbourhood(knot));
+      }
+    }
   }
   return result;
 }
 
 AlongSpline::Fit AlongSpline::fit(std::span<const double> values_at_places) const {
-  if (values_at_places.size() != places_)
+  if (values_at_places.size() != places_) {
     throw_invalid_argument("number of values", std::to_string(values_at_places.size()),
                            std::to_string(places_) + ", as there are slices");
+  }
   Fit fit;
   fit.value.reserve(knots_.size());
   for (std::size_t k = 0; k < place_before_.size(); ++k) {
@@ -186,8 +202,9 @@ AlongSpline::Fit AlongSpline::fit(std::span<const double> values_at_places) cons
   }
   fit.value.push_back(is_periodic() ? values_at_places.front() : values_at_places.back());
   fit.second.assign(knots_.size(), 0.0);
-  if (factor_.empty())
+  if (factor_.empty()) {
     return fit;
+  }
 
   std::vector<double> right(unknowns());
   for (std::size_t unknown = 0; unknown < unknowns(); ++unknown) {
@@ -196,8 +213,9 @@ AlongSpline::Fit AlongSpline::fit(std::span<const double> values_at_places) cons
                           (fit.value[knot] - fit.value[before(knot)]) / step(before(knot));
   }
   right = factor_.front().solve(std::move(right));
-  for (std::size_t unknown = 0; unknown < unknowns(); ++unknown)
+  for (std::size_t unknown = 0; unknown < unknowns(); ++unknown) {
     fit.second[knot_of(unknown)] = right[row_of(knot_of(unknown))];
+  }
   if (lambda_ > 0.0) {
     std::vector<double> change(knots_.size(), 0.0);
     for (std::size_t unknown = 0; unknown < unknowns(); ++unknown) {
@@ -208,8 +226,9 @@ AlongSpline::Fit AlongSpline::fit(std::span<const double> values_at_places) cons
       change[after(knot)] += d.after * fit.second[knot];
     }
     const std::size_t own_knots = is_periodic() ? unknowns() : knots_.size();
-    for (std::size_t knot = 0; knot < own_knots; ++knot)
+    for (std::size_t knot = 0; knot < own_knots; ++knot) {
       fit.value[knot] -= lambda_ / neighbourhood(knot) * change[knot];
+    }
   }
   if (is_periodic()) {
     fit.value.back() = fit.value.front();

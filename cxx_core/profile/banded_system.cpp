@@ -30,15 +30,17 @@ BandCholesky::BandCholesky(BandMatrix matrix) : factor_(std::move(matrix)) {
   const int rows = width + 1;
   int info = 0;
   dpbtrf_("L", &order, &width, factor_.data(), &rows, &info);
-  if (info != 0)
+  if (info != 0) {
     throw Error(ErrorCode::internal,
                 "banded matrix: not positive definite at row " + std::to_string(info));
+  }
 }
 
 double BandCholesky::log_determinant() const {
   double sum = 0.0;
-  for (std::size_t i = 0; i < factor_.order(); ++i)
+  for (std::size_t i = 0; i < factor_.order(); ++i) {
     sum += 2.0 * std::log(factor_.at(i, i));
+  }
   return sum;
 }
 
@@ -65,10 +67,12 @@ BandMatrix BandCholesky::inverse() const {
     const double* factor = factor_at + j * width;
     for (std::size_t i = last + 1; i-- > j;) {
       double sum = i == j ? 1.0 / factor[j] : 0.0;
-      for (std::size_t k = j + 1; k < i; ++k)
+      for (std::size_t k = j + 1; k < i; ++k) {
         sum -= factor[k] * inverse_at[i + k * width];
-      for (std::size_t k = std::max(i, j + 1); k <= last; ++k)
+      }
+      for (std::size_t k = std::max(i, j + 1); k <= last; ++k) {
         sum -= factor[k] * inverse_at[k + i * width];
+      }
       inverse_at[i + j * width] = sum / factor[j];
     }
   }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "profile/constants.hpp"
 
 namespace wrc {
 namespace {
@@ -18,17 +19,20 @@ bool is_finite(const Curve::End& end) {
 } // namespace
 
 Curve::Curve(std::span<const Piece> pieces) {
-  if (pieces.empty())
+  if (pieces.empty()) {
     throw_invalid_argument("number of curve pieces", "0", "at least 1");
+  }
   starts_.reserve(pieces.size() + 1);
   coefficients_.reserve(pieces.size());
   double arc = 0.0;
   for (const Piece& piece : pieces) {
     const std::string name = "curve piece " + std::to_string(coefficients_.size());
-    if (!(piece.length > 0.0) || !std::isfinite(piece.length))
+    if (!(piece.length > 0.0) || !std::isfinite(piece.length)) {
       throw_invalid_argument("length of " + name, piece.length, "a positive finite number, mm");
-    if (!is_finite(piece.begin) || !is_finite(piece.end))
+    }
+    if (!is_finite(piece.begin) || !is_finite(piece.end)) {
       throw_invalid_argument("ends of " + name, "not a number or infinite", "finite numbers");
+    }
     const End& b = piece.begin;
     const End& e = piece.end;
     coefficients_.push_back(
@@ -77,15 +81,6 @@ Curve Curve::moved(double angle, double lateral_shift, double height_shift) cons
 }
 
 namespace {
-
-/// Steps smaller than this are left, mm.
-/// origin: derived: on elements of 0.05 mm of steel they cause E* step / (2 * 0.05 mm) = 1 MPa.
-constexpr double min_step = 1e-6;
-
-/// Length over which each side of a step is moved, mm; whole pieces.
-/// origin: derived: half of S1002's step of 1.2e-4 mm then changes the curvature by no more than
-/// 6 * 6e-5 mm / (2 mm)^2 = 1e-4 / mm.
-constexpr double transition_length = 2.0;
 
 /// Adds begin + (end - begin) (3 t^2 - 2 t^3) with t = (offset + s) / length to a quintic of s.
 void add_transition(Quintic& quintic, double begin, double end, double offset, double length) {

@@ -11,22 +11,6 @@ namespace {
 
 using Pieces = std::vector<Curve::Piece>;
 
-/// Largest angle of a piece of an arc, rad.
-/// origin: derived: R (h/R)^6 / 46080 stays below 1e-11 mm up to R = 29 mm, and beyond that
-/// max_node_distance is the tighter bound.
-constexpr double max_piece_angle = 0.05;
-/// Accuracy of pieces, mm, and of their curvature, relative to the largest.
-/// origin: reasoned: an interpolated polynomial cannot be distinguished from the standard's, and
-/// gaps are exact to 1e-11 mm.
-constexpr double position_tolerance = 1e-11;
-constexpr double curvature_tolerance = 1e-8;
-/// Rounding of a curvature, 1/mm, which a straight piece shows too.
-/// origin: derived: rounding of positions, 1e-13 mm, over the square of a piece of 0.1 mm.
-constexpr double curvature_rounding = 1e-11;
-/// Refinement ends here with an error.
-/// origin: bound: 40 times the pieces of a profile of 250 mm at 0.5 mm.
-constexpr std::size_t max_pieces = 20000;
-
 [[noreturn]] void refuse(const Segment& segment, const std::string& argument,
                          const std::string& value, const std::string& allowed) {
   throw_invalid_argument(argument + " of segment '" + segment.label + "'", value, allowed);
@@ -42,8 +26,9 @@ std::size_t count_for(double length, double step) {
 
 Pieces pieces_of(const LineSegment& line, const Segment& segment) {
   const double length = distance(line.start, line.end);
-  if (!(length > 0.0) || !std::isfinite(length))
+  if (!(length > 0.0) || !std::isfinite(length)) {
     refuse(segment, "length", text_of(length), "a positive finite number, mm");
+  }
   const double tangent_lateral = (line.end[0] - line.start[0]) / length;
   const double tangent_height = (line.end[1] - line.start[1]) / length;
   const std::size_t count = count_for(length, max_node_distance);
@@ -57,25 +42,29 @@ Pieces pieces_of(const LineSegment& line, const Segment& segment) {
                       0.0};
   };
   Pieces pieces;
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i) {
     pieces.push_back({node(i), node(i + 1), length / static_cast<double>(count)});
+  }
   return pieces;
 }
 
 Pieces pieces_of(const ArcSegment& arc, const Segment& segment) {
-  if (!(arc.radius > 0.0) || !std::isfinite(arc.radius))
+  if (!(arc.radius > 0.0) || !std::isfinite(arc.radius)) {
     refuse(segment, "radius", text_of(arc.radius), "a positive finite number, mm");
+  }
   for (const auto& [name, end] : {std::pair{"start", arc.start}, std::pair{"end", arc.end}}) {
     const double off = distance(arc.centre, end) - arc.radius;
-    if (!(std::abs(off) <= max_junction_gap))
+    if (!(std::abs(off) <= max_junction_gap)) {
       refuse(segment, std::string("distance of ") + name + " from the circle", text_of(off),
              "at most " + text_of(max_junction_gap) + " mm");
+    }
   }
   const double first = std::atan2(arc.start[1] - arc.centre[1], arc.start[0] - arc.centre[0]);
   const double last = std::atan2(arc.end[1] - arc.centre[1], arc.end[0] - arc.centre[0]);
   const double sweep = std::remainder(last - first, 2.0 * std::numbers::pi);
-  if (sweep == 0.0)
+  if (sweep == 0.0) {
     refuse(segment, "angle", "0", "a start and an end that differ");
+  }
   const double turn = sweep > 0.0 ? 1.0 : -1.0;
   const double length = arc.radius * std::abs(sweep);
   const std::size_t count =
@@ -92,8 +81,9 @@ Pieces pieces_of(const ArcSegment& arc, const Segment& segment) {
                       -sine / arc.radius};
   };
   Pieces pieces;
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i) {
     pieces.push_back({node(i), node(i + 1), length / static_cast<double>(count)});
+  }
   return pieces;
 }
 
@@ -130,9 +120,10 @@ public:
     const double middle = 0.5 * (from + to);
     const double half = 0.5 * (to - from);
     double sum = 0.0;
-    for (std::size_t i = 0; i < node.size(); ++i)
+    for (std::size_t i = 0; i < node.size(); ++i) {
       sum += weight[i] * (1.0 / at(middle - half * node[i]).tangent_lateral +
                           1.0 / at(middle + half * node[i]).tangent_lateral);
+    }
     return half * sum;
   }
 
@@ -140,8 +131,9 @@ public:
   /// starts within about 1e-2 mm and squares that in each step.
   [[nodiscard]] Curve::End at_distance(double from, double distance_along) const {
     double lateral = from + distance_along * at(from).tangent_lateral;
-    for (int step = 0; step < 4; ++step)
+    for (int step = 0; step < 4; ++step) {
       lateral -= (length(from, lateral) - distance_along) * at(lateral).tangent_lateral;
+    }
     return at(lateral);
   }
 
@@ -153,8 +145,9 @@ private:
 bool reproduces(const Pieces& pieces, const Graph& graph) {
   double largest_curvature = 0.0;
   for (const Curve::Piece& piece : pieces) {
-    if (piece.length > max_node_distance)
+    if (piece.length > max_node_distance) {
       return false;
+    }
     largest_curvature = std::max(largest_curvature, std::abs(piece.begin.curvature()));
   }
   const Curve curve{pieces};
@@ -164,21 +157,24 @@ bool reproduces(const Pieces& pieces, const Graph& graph) {
       const Curve::End expected = graph.at_distance(pieces[i].begin.lateral, s);
       const CurvePoint found = curve.at(i, s);
       if (std::hypot(found.lateral - expected.lateral, found.height - expected.height) >
-              position_tolerance ||
+              piece_tolerance ||
           std::abs(found.curvature() - expected.curvature()) >
-              curvature_tolerance * largest_curvature + curvature_rounding)
+              piece_curvature_tolerance * largest_curvature + curvature_rounding) {
         return false;
+      }
     }
   }
   return true;
 }
 
 Pieces pieces_of(const PolynomialSegment& polynomial, const Segment& segment) {
-  if (polynomial.coefficients.empty())
+  if (polynomial.coefficients.empty()) {
     refuse(segment, "number of coefficients", "0", "at least 1");
+  }
   const double width = polynomial.lateral_end - polynomial.lateral_start;
-  if (!(width > 0.0) || !std::isfinite(width))
+  if (!(width > 0.0) || !std::isfinite(width)) {
     refuse(segment, "width", text_of(width), "a positive finite number, mm");
+  }
   const Graph graph(polynomial);
   for (std::size_t count = count_for(width, max_node_distance); count <= max_pieces;
        count += count / 4 + 1) {
@@ -187,11 +183,13 @@ Pieces pieces_of(const PolynomialSegment& polynomial, const Segment& segment) {
                        static_cast<double>(i) / static_cast<double>(count));
     };
     Pieces pieces;
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
       pieces.push_back({graph.at(lateral(i)), graph.at(lateral(i + 1)),
                         graph.length(lateral(i), lateral(i + 1))});
-    if (reproduces(pieces, graph))
+    }
+    if (reproduces(pieces, graph)) {
       return pieces;
+    }
   }
   refuse(segment, "polynomial", "too wild for " + std::to_string(max_pieces) + " pieces",
          "one that pieces of quintics reproduce to 1e-11 mm");
@@ -228,8 +226,9 @@ Segment mirrored(const Segment& segment) {
         ArcSegment{mirrored(arc->centre), arc->radius, mirrored(arc->end), mirrored(arc->start)};
   } else {
     PolynomialSegment polynomial = std::get<PolynomialSegment>(segment.shape);
-    for (std::size_t power = 1; power < polynomial.coefficients.size(); power += 2)
+    for (std::size_t power = 1; power < polynomial.coefficients.size(); power += 2) {
       polynomial.coefficients[power] = -polynomial.coefficients[power];
+    }
     polynomial.expansion_point = -polynomial.expansion_point;
     const double start = polynomial.lateral_start;
     polynomial.lateral_start = -polynomial.lateral_end;
@@ -246,27 +245,30 @@ std::vector<Junction> junctions_of(std::span<const Segment> segments) {
   Pieces before;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     Pieces pieces = pieces_of(segments[i]);
-    if (i > 0)
+    if (i > 0) {
       junctions.push_back(
           junction_between(segments[i - 1], before.back().end, segments[i], pieces.front().begin));
+    }
     before = std::move(pieces);
   }
   return junctions;
 }
 
 Curve curve_of(std::span<const Segment> segments) {
-  if (segments.empty())
+  if (segments.empty()) {
     throw_invalid_argument("number of segments", "0", "at least 1");
+  }
   Pieces all;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Pieces pieces = pieces_of(segments[i]);
     if (i > 0) {
       const Junction junction =
           junction_between(segments[i - 1], all.back().end, segments[i], pieces.front().begin);
-      if (!(junction.gap <= max_junction_gap))
+      if (!(junction.gap <= max_junction_gap)) {
         throw_invalid_argument("gap between segments '" + junction.before + "' and '" +
                                    junction.after + "'",
                                junction.gap, "at most " + text_of(max_junction_gap) + " mm");
+      }
     }
     all.insert(all.end(), pieces.begin(), pieces.end());
   }
@@ -275,8 +277,9 @@ Curve curve_of(std::span<const Segment> segments) {
 
 std::vector<Segment> with_mirrored_half(std::span<const Segment> right_half) {
   std::vector<Segment> all;
-  for (auto segment = right_half.rbegin(); segment != right_half.rend(); ++segment)
+  for (auto segment = right_half.rbegin(); segment != right_half.rend(); ++segment) {
     all.push_back(mirrored(*segment));
+  }
   all.insert(all.end(), right_half.begin(), right_half.end());
   return all;
 }

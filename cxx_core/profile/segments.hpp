@@ -18,6 +18,7 @@
 #include <variant>
 #include <vector>
 
+#include "profile/constants.hpp"
 #include "profile/curve.hpp"
 
 namespace wrc {
@@ -58,14 +59,6 @@ struct Junction {
   double gap = 0.0;  ///< distance between end and begin
   double kink = 0.0; ///< rad by which the tangent turns, positive towards larger height
 };
-
-/// Largest distance between nodes, mm, so that a scan over them meets every local minimum of a gap.
-/// origin: reasoned: below the narrowest contact strip of worn flanges, about 1 mm; scan_slack
-/// of geometry/contact_search.cpp follows from it.
-inline constexpr double max_node_distance = 0.5;
-/// Largest gap between neighbouring segments, mm.
-/// origin: reasoned: standards print coordinates to 1e-3 mm.
-inline constexpr double max_junction_gap = 1e-3;
 
 /// The curve of the segments. Throws Error(invalid_argument) naming the segment or the pair of
 /// segments at fault.

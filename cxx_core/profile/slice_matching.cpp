@@ -5,22 +5,12 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "profile/constants.hpp"
 #include "profile/limits.hpp"
 
 namespace wrc {
 namespace {
 
-/// Share of the shorter of two slices that the other must reach beyond its end.
-/// origin: measured: of the 147 pairs of a British crossing 140 reach up to 0.025 beyond each
-/// other, which is its rails' variation, and 7 reach 0.08 to 1.24, where parts begin or end or the
-/// slices are cut at other places.
-constexpr double least_excess = 0.05;
-/// A line this near to an end of a slice, over the length of the shorter slice, is the end's, and
-/// lengths this near to each other are equal.
-/// origin: reasoned: much less than least_excess, so that no line is near to both ends of a common
-/// stretch; 0.5 mm of a rail's 100 mm. A rise that is taken for ends makes lengths differ by
-/// least_excess or more.
-constexpr double same_line = 0.1 * least_excess;
 constexpr std::size_t most_joints = 10; // joints in a message; not a tuning constant
 
 /// Arc length of the place nearest to a point on the polygon of a curve's nodes, of those where it
@@ -68,8 +58,9 @@ struct Joint {
 using Line = std::vector<std::optional<double>>;
 
 std::optional<double> mapped(double arc, double begin, double end, double to_begin, double to_end) {
-  if (!(arc >= begin && arc <= end && end > begin && to_end > to_begin))
+  if (!(arc >= begin && arc <= end && end > begin && to_end > to_begin)) {
     return std::nullopt;
+  }
   return std::lerp(to_begin, to_end, (arc - begin) / (end - begin));
 }
 
@@ -90,21 +81,26 @@ std::optional<double> share_before(const Joint& joint, double share) {
 /// Continues all lines through a joint. Of the lines near to an end one becomes that of the end.
 void continue_lines(std::vector<Line>& lines, std::size_t run, const Joint& joint) {
   const SliceMatch& m = joint.match;
-  if (m.is_empty())
+  if (m.is_empty()) {
     return;
-  for (Line& line : lines)
-    if (line[run])
+  }
+  for (Line& line : lines) {
+    if (line[run]) {
       line[run + 1] = share_after(joint, *line[run]);
+    }
+  }
   const auto set_nearest = [&](double arc, double next_arc) {
     double least = same_line * std::min(joint.length, joint.next_length);
     Line* nearest = nullptr;
-    for (Line& line : lines)
+    for (Line& line : lines) {
       if (line[run] && std::abs(*line[run] * joint.length - arc) < least) {
         least = std::abs(*line[run] * joint.length - arc);
         nearest = &line;
       }
-    if (nearest)
+    }
+    if (nearest) {
       (*nearest)[run + 1] = next_arc / joint.next_length;
+    }
   };
   set_nearest(m.begin, m.next_begin);
   set_nearest(m.end, m.next_end);
@@ -115,11 +111,13 @@ void continue_lines(std::vector<Line>& lines, std::size_t run, const Joint& join
 void fill_between(std::vector<Line>& lines, std::size_t run) {
   std::optional<std::size_t> last; // that is here
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    if (!lines[k][run])
+    if (!lines[k][run]) {
       continue;
-    for (std::size_t i = last ? *last + 1 : k; i < k; ++i)
+    }
+    for (std::size_t i = last ? *last + 1 : k; i < k; ++i) {
       lines[i][run] = std::lerp(*lines[*last][run], *lines[k][run],
                                 static_cast<double>(i - *last) / static_cast<double>(k - *last));
+    }
     last = k;
   }
 }
@@ -135,25 +133,29 @@ std::vector<Line> lines_of(const std::vector<Joint>& joints) {
     continue_lines(lines, run - 1, joints[run - 1]);
     for (const double end : {0.0, 1.0}) {
       if (std::any_of(lines.begin(), lines.end(),
-                      [&](const Line& line) { return line[run] == end; }))
+                      [&](const Line& line) { return line[run] == end; })) {
         continue;
+      }
       Line line(runs);
       line[run] = end;
-      for (std::size_t i = run; i > 0 && line[i]; --i)
+      for (std::size_t i = run; i > 0 && line[i]; --i) {
         line[i - 1] = share_before(joints[i - 1], *line[i]);
+      }
       const std::size_t ordered = line[run - 1] ? run - 1 : run;
       const auto next = std::find_if(lines.begin(), lines.end(), [&](const Line& other) {
         return other[ordered] && *other[ordered] > *line[ordered];
       });
       lines.insert(next, std::move(line));
-      if (lines.size() > SliceLimits::max_features)
+      if (lines.size() > SliceLimits::max_features) {
         throw_invalid_argument("places where slices begin or end within their neighbours",
                                "more than " + std::to_string(SliceLimits::max_features),
                                "fewer; the list needs features");
+      }
     }
   }
-  for (std::size_t run = 0; run < runs; ++run)
+  for (std::size_t run = 0; run < runs; ++run) {
     fill_between(lines, run);
+  }
   return lines;
 }
 
@@ -162,13 +164,15 @@ std::string joint_text(const Joint& joint) {
   const std::string slice = std::to_string(joint.before + 1);
   const std::string next = std::to_string(joint.before + 2);
   std::string text = "between slices " + slice + " and " + next;
-  if (m.is_empty())
+  if (m.is_empty()) {
     return text + " the surface is interrupted: they have nothing in common";
+  }
   const char* separator = ": ";
   const auto add = [&](const char* side, double length, const std::string& number,
                        const char* verb) {
-    if (!(length > 0.0))
+    if (!(length > 0.0)) {
       return;
+    }
     text += separator + std::string(side) + ' ' + short_text_of(length) + " mm of slice " + number +
             verb;
     separator = ", ";
@@ -196,46 +200,55 @@ SliceMatch match_slices(const Curve& slice, const Curve& next) {
   const double last = nearest_to(next.at(next_length), slice, length);
   const double next_last = nearest_to(slice.at(length), next, next_length);
   if (std::max(length - last, next_length - next_last) > least) {
-    if (length - last > next_length - next_last)
+    if (length - last > next_length - next_last) {
       match.end = last;
-    else
+    } else {
       match.next_end = next_last;
+    }
     match.is_whole = false;
   }
-  if (!(match.end - match.begin > least && match.next_end - match.next_begin > least))
+  if (!(match.end - match.begin > least && match.next_end - match.next_begin > least)) {
     match.end = match.begin; // touching ends are nothing common
-  else if (is_within(match, length, next_length) &&
-           std::abs(match.end - match.begin - (match.next_end - match.next_begin)) >
-               std::abs(length - next_length) + same_line * std::min(length, next_length))
+  } else if (is_within(match, length, next_length) &&
+             std::abs(match.end - match.begin - (match.next_end - match.next_begin)) >
+                 std::abs(length - next_length) + same_line * std::min(length, next_length)) {
     return {0.0, length, 0.0, next_length, true};
+  }
   return match;
 }
 
 FoundFeatures find_features(std::span<const Curve* const> slices) {
   std::vector<Joint> joints;
-  for (std::size_t i = 0; i + 1 < slices.size(); ++i)
-    if (const SliceMatch match = match_slices(*slices[i], *slices[i + 1]); !match.is_whole)
+  for (std::size_t i = 0; i + 1 < slices.size(); ++i) {
+    if (const SliceMatch match = match_slices(*slices[i], *slices[i + 1]); !match.is_whole) {
       joints.push_back({i, slices[i]->length(), slices[i + 1]->length(), match});
+    }
+  }
   FoundFeatures found;
-  if (joints.empty())
+  if (joints.empty()) {
     return found;
+  }
   const std::vector<Line> lines = lines_of(joints);
   std::size_t run = 0;
   for (std::size_t i = 0; i < slices.size(); ++i) {
     found.of_slices.emplace_back();
-    for (const Line& line : lines)
+    for (const Line& line : lines) {
       found.of_slices.back().push_back(line[run] ? std::optional(*line[run] * slices[i]->length())
                                                  : std::nullopt);
-    if (run < joints.size() && joints[run].before == i)
+    }
+    if (run < joints.size() && joints[run].before == i) {
       ++run;
+    }
   }
   found.notes.emplace_back(
       "no features in the list: found from ends of slices that lie within their neighbours");
-  for (std::size_t i = 0; i < std::min(joints.size(), most_joints); ++i)
+  for (std::size_t i = 0; i < std::min(joints.size(), most_joints); ++i) {
     found.notes.push_back(joint_text(joints[i]));
-  if (joints.size() > most_joints)
+  }
+  if (joints.size() > most_joints) {
     found.notes.push_back("and so between " + std::to_string(joints.size() - most_joints) +
                           " other pairs of slices");
+  }
   return found;
 }
 

@@ -21,20 +21,25 @@ constexpr int bandwidth = 2;
 constexpr int band_rows = bandwidth + 1;
 
 void check(std::span<const double> abscissa, std::span<const double> value, double wavelength) {
-  if (abscissa.size() != value.size())
+  if (abscissa.size() != value.size()) {
     throw_invalid_argument("number of values", std::to_string(value.size()),
                            std::to_string(abscissa.size()) + ", as there are abscissae");
+  }
   if (abscissa.size() < 3 ||
-      abscissa.size() > static_cast<std::size_t>(std::numeric_limits<int>::max() / band_rows))
+      abscissa.size() > static_cast<std::size_t>(std::numeric_limits<int>::max() / band_rows)) {
     throw_invalid_argument("number of values", std::to_string(value.size()), "at least 3");
-  if (!(wavelength > 0.0) || !std::isfinite(wavelength))
+  }
+  if (!(wavelength > 0.0) || !std::isfinite(wavelength)) {
     throw_invalid_argument("smoothing wavelength", wavelength, "a positive finite number, mm");
+  }
   for (std::size_t i = 0; i < value.size(); ++i) {
-    if (!std::isfinite(value[i]))
+    if (!std::isfinite(value[i])) {
       throw_invalid_argument("value " + std::to_string(i), value[i], "a finite number");
-    if (i > 0 && !(abscissa[i] > abscissa[i - 1]))
+    }
+    if (i > 0 && !(abscissa[i] > abscissa[i - 1])) {
       throw_invalid_argument("abscissa " + std::to_string(i), abscissa[i],
                              "above " + text_of(abscissa[i - 1]));
+    }
   }
 }
 
@@ -56,17 +61,19 @@ std::vector<Position> smooth_over(const std::vector<double>& arc, std::span<cons
   lateral = smooth_values(arc, lateral, wavelength);
   height = smooth_values(arc, height, wavelength);
   std::vector<Position> result;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (std::size_t i = 0; i < points.size(); ++i) {
     result.push_back({lateral[i], height[i]});
+  }
   return result;
 }
 
 std::vector<double> chord_lengths(std::span<const Position> points) {
   std::vector<double> arc;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (std::size_t i = 0; i < points.size(); ++i) {
     arc.push_back(i == 0 ? 0.0
                          : arc.back() + std::hypot(points[i][0] - points[i - 1][0],
                                                    points[i][1] - points[i - 1][1]));
+  }
   return arc;
 }
 
@@ -103,8 +110,9 @@ std::vector<double> smooth_values(std::span<const double> abscissa, std::span<co
       entry[1] = step(j) / 6.0 + lambda * (before.middle * q.first * inverse_weight(j) +
                                            before.last * q.middle * inverse_weight(j + 1));
     }
-    if (j >= 2)
+    if (j >= 2) {
       entry[0] = lambda * column(j - 2).last * q.first * inverse_weight(j);
+    }
     second[j] = q.first * value[j] + q.middle * value[j + 1] + q.last * value[j + 2];
   }
   const char upper = 'U';
@@ -113,10 +121,11 @@ std::vector<double> smooth_values(std::span<const double> abscissa, std::span<co
   int info = 0;
   dpbsv_(&upper, &order, &bandwidth, &right_sides, band.data(), &band_rows, second.data(), &order,
          &info);
-  if (info != 0)
+  if (info != 0) {
     throw Error(ErrorCode::internal,
                 "smoothing wavelength = " + text_of(wavelength) +
                     " mm: too long relative to the spacing of the closest points");
+  }
 
   std::vector<double> smoothed(value.begin(), value.end());
   for (std::size_t j = 0; j < m; ++j) {

@@ -6,21 +6,10 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "profile/constants.hpp"
 
 namespace wrc {
 namespace {
-
-/// How often the knots follow the arc length of the spline through them.
-/// origin: reasoned: each pass squares the deviation of the parameter from the arc length.
-constexpr int reparametrisations = 2;
-/// Length along the spline per length of its parameter, which is close to 1 for a smooth line;
-/// below this the points turn back on themselves and the tangent is lost.
-/// origin: bound: any value well below 1 and above rounding.
-constexpr double min_speed = 0.01;
-/// Length of a curve in lengths of the chords of its points.
-/// origin: reasoned: curves through sensible points exceed their chords by a few per cent at most;
-/// those that swing do so by orders of magnitude.
-constexpr double max_detour = 2.0;
 
 /// Second derivatives at the knots of the not-a-knot cubic spline. The end conditions are
 /// eliminated from the first and last interior equation, which stays diagonally dominant.
@@ -54,8 +43,9 @@ std::vector<double> second_derivatives(const std::vector<double>& knot,
     }
   }
   second[n - 2] /= diagonal[n - 2];
-  for (std::size_t i = n - 2; i-- > 1;)
+  for (std::size_t i = n - 2; i-- > 1;) {
     second[i] = (second[i] - upper[i] * second[i + 1]) / diagonal[i];
+  }
   second[0] = second[1] + (second[1] - second[2]) * (step(0) / step(1));
   second[n - 1] = second[n - 2] + (second[n - 2] - second[n - 3]) * (step(n - 2) / step(n - 3));
   return second;
@@ -83,9 +73,10 @@ public:
     const Values l = evaluate(i, fraction, lateral_, lateral_second_);
     const Values h = evaluate(i, fraction, height_, height_second_);
     const double speed = std::hypot(l.first, h.first);
-    if (!(speed >= min_speed))
+    if (!(speed >= min_speed)) {
       throw_invalid_argument("points near (" + text_of(l.value) + ", " + text_of(h.value) + ")",
                              "turn back on themselves", "a line without cusps");
+    }
     const double tangent_lateral = l.first / speed;
     const double tangent_height = h.first / speed;
     const double curvature =
@@ -106,8 +97,9 @@ public:
     const double middle = 0.5 * (from + to);
     const double half = 0.5 * (to - from);
     double sum = 0.0;
-    for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t k = 0; k < 2; ++k) {
       sum += weight[k] * (speed(i, middle - half * node[k]) + speed(i, middle + half * node[k]));
+    }
     return sum * half * (knot_[i + 1] - knot_[i]);
   }
 
@@ -140,8 +132,9 @@ std::size_t parts_for(double length) {
 
 std::vector<double> arc_lengths(const PlaneSpline& spline) {
   std::vector<double> knot = {0.0};
-  for (std::size_t i = 0; i < spline.intervals(); ++i)
+  for (std::size_t i = 0; i < spline.intervals(); ++i) {
     knot.push_back(knot.back() + spline.length(i, 0.0, 1.0));
+  }
   return knot;
 }
 
@@ -149,28 +142,31 @@ std::vector<double> arc_lengths(const PlaneSpline& spline) {
 /// forth, or a wide gap among close ones, make the spline swing, the more so each time its
 /// parameter follows its length.
 void check_detour(double length, double chords) {
-  if (!(length <= max_detour * chords))
+  if (!(length <= max_detour * chords)) {
     throw_invalid_argument("length of the curve through the points", length,
                            "at most " + text_of(max_detour) + " times that of their chords, " +
                                text_of(chords) +
                                " mm: the points jump back and forth or leave a wide gap");
+  }
 }
 
 } // namespace
 
 Curve curve_through(std::span<const Position> points) {
-  if (points.size() < 4)
+  if (points.size() < 4) {
     throw_invalid_argument("number of points", std::to_string(points.size()), "at least 4");
+  }
   std::vector<double> lateral;
   std::vector<double> height;
   std::vector<double> knot;
   for (const Position& point : points) {
     const double distance =
         knot.empty() ? 0.0 : std::hypot(point[0] - lateral.back(), point[1] - height.back());
-    if (!std::isfinite(distance) || (!knot.empty() && !(distance > 0.0)))
+    if (!std::isfinite(distance) || (!knot.empty() && !(distance > 0.0))) {
       throw_invalid_argument("distance of point " + std::to_string(knot.size()) +
                                  " from the previous one",
                              distance, "a positive finite number, mm");
+    }
     knot.push_back(knot.empty() ? 0.0 : knot.back() + distance);
     lateral.push_back(point[0]);
     height.push_back(point[1]);

@@ -8,14 +8,17 @@ namespace wrc {
 namespace {
 
 const TableProfile& entry_of(std::string_view name) {
-  for (const TableProfile& entry : standard_table())
-    if (entry.name == name)
+  for (const TableProfile& entry : standard_table()) {
+    if (entry.name == name) {
       return entry;
+    }
+  }
   std::string names;
   for (const ProfileKind kind : {ProfileKind::wheel, ProfileKind::rail}) {
     names += kind == ProfileKind::wheel ? "a wheel:" : "; or a rail:";
-    for (const std::string_view known : standard_profile_names(kind))
+    for (const std::string_view known : standard_profile_names(kind)) {
       names.append(" ").append(known);
+    }
   }
   throw Error(ErrorCode::unknown_name, "profile = '" + std::string(name) + "': " + names);
 }
@@ -40,8 +43,9 @@ Segment segment_of(const TableSegment& row) {
 
 std::vector<Segment> segments_of(const TableProfile& entry) {
   std::vector<Segment> segments;
-  for (const TableSegment& row : entry.segments)
+  for (const TableSegment& row : entry.segments) {
     segments.push_back(segment_of(row));
+  }
   return segments;
 }
 
@@ -49,9 +53,11 @@ std::vector<Segment> segments_of(const TableProfile& entry) {
 
 std::vector<std::string_view> standard_profile_names(ProfileKind kind) {
   std::vector<std::string_view> names;
-  for (const TableProfile& entry : standard_table())
-    if (entry.kind == kind)
+  for (const TableProfile& entry : standard_table()) {
+    if (entry.kind == kind) {
       names.push_back(entry.name);
+    }
+  }
   return names;
 }
 

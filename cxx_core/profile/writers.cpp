@@ -14,10 +14,11 @@ namespace {
 std::vector<Position> sample(const Curve& curve, double spacing) {
   const double parts = std::ceil(curve.length() / spacing);
   if (!(spacing > 0.0) || !(parts >= 1.0) ||
-      parts + 1.0 > static_cast<double>(ReadLimits::max_points))
+      parts + 1.0 > static_cast<double>(ReadLimits::max_points)) {
     throw_invalid_argument("spacing", spacing,
                            "a positive number of mm that gives 2 to " +
                                std::to_string(ReadLimits::max_points) + " points");
+  }
   std::vector<Position> points;
   const auto count = static_cast<std::size_t>(parts);
   for (std::size_t i = 0; i <= count; ++i) {
@@ -30,9 +31,11 @@ std::vector<Position> sample(const Curve& curve, double spacing) {
 
 /// A text for a comment or a quoted value: one line without quotes.
 std::string one_line(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == '\'' || c == '\x7F')
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == '\'' || c == '\x7F') {
       c = ' ';
+    }
+  }
   return text.substr(0, 1000);
 }
 
@@ -42,8 +45,9 @@ std::string columns_text(const Profile& profile, const std::vector<Position>& po
   text += wheel ? "# wheel: lateral mm, positive to the field side; height mm, positive towards "
                   "larger radius\n"
                 : "# rail: lateral mm, positive to the field side; height mm, positive upwards\n";
-  for (const Position& point : points)
+  for (const Position& point : points) {
     text.append(text_of(point[0])).append(" ").append(text_of(point[1])).append("\n");
+  }
   return text;
 }
 
@@ -70,8 +74,9 @@ std::string text_for(const Profile& profile, const std::filesystem::path& path, 
   case ProfileFormat::columns:
     return columns_text(profile, points);
   case ProfileFormat::simpack:
-    if (type.kind != profile.kind)
+    if (type.kind != profile.kind) {
       throw_invalid_argument("extension", extension, ".prw for wheels, .prr for rails");
+    }
     return simpack_text(profile, points);
   case ProfileFormat::miniprof:
   case ProfileFormat::slices:

@@ -57,12 +57,19 @@ public:
         if (!(patch_.pressure[here] > 0.0)) {
           continue;
         }
-        if (column > 0 && (ends(here, here - 1) || drops(here, here - 1)))
-          if (auto cut = cut_between(row, grid.longitudinal(column - 1), grid.longitudinal(column)))
+        if (column > 0 && (ends(here, here - 1) || drops(here, here - 1))) {
+          if (auto cut =
+                  cut_between(row, grid.longitudinal(column - 1), grid.longitudinal(column))) {
             return cut;
-        if (column + 1 < grid.longitudinal_count && (ends(here, here + 1) || drops(here, here + 1)))
-          if (auto cut = cut_between(row, grid.longitudinal(column), grid.longitudinal(column + 1)))
+          }
+        }
+        if (column + 1 < grid.longitudinal_count &&
+            (ends(here, here + 1) || drops(here, here + 1))) {
+          if (auto cut =
+                  cut_between(row, grid.longitudinal(column), grid.longitudinal(column + 1))) {
             return cut;
+          }
+        }
         at_side = at_side || (row > 0 && ends(here, here - grid.longitudinal_count)) ||
                   (row + 1 < grid.lateral_count && ends(here, here + grid.longitudinal_count));
       }

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/error.hpp"
-#include "measured/noise_removal.hpp"
+#include "measured/constants.hpp"
 #include "scene/number_tables.hpp"
 #include "scene/solve_scene.hpp"
 

@@ -21,11 +21,13 @@ std::string slices_without(const SlicedProfile& profile, std::size_t feature) {
   std::string text;
   const std::size_t count = profile.slices.size();
   for (std::size_t i = 0; i < count; ++i) {
-    if (profile.slices[i].features[feature])
+    if (profile.slices[i].features[feature]) {
       continue;
+    }
     const std::size_t first = i;
-    while (i + 1 < count && !profile.slices[i + 1].features[feature])
+    while (i + 1 < count && !profile.slices[i + 1].features[feature]) {
       ++i;
+    }
     text += (text.empty() ? "" : ", ") + range_text("slice", "slices", first + 1, i + 1);
   }
   return text;
@@ -42,11 +44,13 @@ void add_features(const SlicedProfile& profile, std::vector<std::string>& lines)
   for (std::size_t i = 0; i < count; ++i) {
     const std::string absent = slices_without(profile, i);
     const std::size_t first = i;
-    while (i + 1 < count && slices_without(profile, i + 1) == absent)
+    while (i + 1 < count && slices_without(profile, i + 1) == absent) {
       ++i;
-    if (!absent.empty())
+    }
+    if (!absent.empty()) {
       lines.push_back(range_text("feature", "features", first + 1, i + 1) + " absent from " +
                       absent);
+    }
   }
 }
 
@@ -55,8 +59,9 @@ constexpr double unknown_radius = std::numeric_limits<double>::infinity();
 
 void add_check(const AlongCheck& check, ProfileKind kind, std::vector<std::string>& lines) {
   lines.push_back(swing_text(check));
-  for (const Warning& warning : warnings_of(check, kind))
+  for (const Warning& warning : warnings_of(check, kind)) {
     lines.push_back("warning: " + warning.text);
+  }
 }
 
 std::vector<SurfaceSheet> sheets_or_refusal(const SlicedProfile& profile, double smoothing_length,
@@ -77,8 +82,9 @@ ProfileSurface::ProfileSurface(const std::filesystem::path& path, const ReadOpti
     : profile_(read_sliced_profile(path, options)),
       smoothing_length_(smoothing_length_of(profile_, smoothing_length)),
       sheets_(sheets_or_refusal(profile_, smoothing_length_, smoothing_length.has_value(), path)) {
-  for (ProfileSlice& slice : profile_.slices)
+  for (ProfileSlice& slice : profile_.slices) {
     slice.curve = {}; // the sheets have what they need
+  }
 }
 
 std::vector<std::string> ProfileSurface::summary() const {
@@ -96,12 +102,13 @@ std::vector<std::string> ProfileSurface::summary() const {
                                  std::to_string(slices.size()) + " slices" + way + ", " +
                                  short_text_of(slices.front().place) + " to " +
                                  short_text_of(slices.back().place) + unit};
-  if (slices.size() > 1)
+  if (slices.size() > 1) {
     lines.back() += ", " +
                     (short_text_of(closest) == short_text_of(farthest)
                          ? short_text_of(closest)
                          : short_text_of(closest) + " to " + short_text_of(farthest)) +
                     unit + " apart";
+  }
   lines.insert(lines.end(), profile_.corrections.begin(), profile_.corrections.end());
   lines.push_back(smoothing_length_ > 0.0
                       ? "smoothed" + way + ": waves of " + short_text_of(smoothing_length_) + unit +
@@ -114,8 +121,9 @@ std::vector<std::string> ProfileSurface::summary() const {
     const Stretch along = sheets_[i].along();
     const Stretch across = sheets_[i].across();
     std::string text = "surface " + std::to_string(i + 1) + ": ";
-    if (slices.front().features.size() >= 2)
+    if (slices.front().features.size() >= 2) {
       text += range_text("feature", "features", extent.first_part + 1, extent.last_part + 2) + ", ";
+    }
     text += range_text("slice", "slices", extent.first_slice + 1, extent.last_slice + 1) + ", ";
     text += sheets_[i].is_periodic()
                 ? "closed around the wheel"

@@ -218,11 +218,12 @@ Profile load_profile(const SurfaceSource<Dimensions>& source, ProfileKind kind,
 }
 
 void warn_of_place(const RailSurface& surface, const TrackDimensions& track, Warnings& warnings) {
-  if (surface.is_placed_by_axis())
+  if (surface.is_placed_by_axis()) {
     warnings.push_back({WarningClass::profile_origin,
                         "no gauge face " + short_text_of(track.gauge_height) +
                             " mm below its top: placed by its axis, lateral 0 is " +
                             short_text_of(surface.origin_y()) + " mm from the track centre"});
+  }
 }
 void warn_of_place(const WheelSurface&, const WheelsetDimensions&, Warnings&) {}
 

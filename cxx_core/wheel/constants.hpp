@@ -100,8 +100,8 @@ inline constexpr double pressure_deviations = 2.0;
 /// origin: derived: pi / (2 sqrt(3)).
 inline constexpr double noise_response = 0.9069;
 
-/// What the tables of heights, accurate to 1e-12 mm, may add to the overlap: wheel and rail each.
-/// origin: derived.
+/// What tables of heights may add to the overlap.
+/// origin: derived: those of wheel and rail are accurate to 1e-12 mm each.
 inline constexpr double table_difference = 2e-12;
 
 /// Elements each way on which pressures of an approximate model are sampled.

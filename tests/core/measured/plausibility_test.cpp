@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "measured/plausible_shapes.hpp"
 #include "measured/profile_shape.hpp"
 #include "samples.hpp"
 
@@ -90,6 +91,18 @@ TEST(Plausibility, WrongOriginsShow) {
 TEST(Plausibility, WrongUnitsShow) {
   EXPECT_TRUE(warns(changed(wheel_points(), 2.0, 2.0), ProfileKind::wheel,
                     WarningClass::profile_dimensions));
+}
+
+/// Limits in a warning are those of the table.
+TEST(Plausibility, AWarningGivesTheValueAndItsLimits) {
+  Log log("file", false);
+  const std::vector<Position> points = changed(wheel_points(), 2.0, 2.0);
+  check_points(points, ProfileKind::wheel, tape_offset, log);
+  const Position lateral = extent_of(points, 0);
+  ASSERT_FALSE(plausible::width.holds(lateral[1] - lateral[0]));
+  ASSERT_FALSE(log.warnings().empty());
+  EXPECT_EQ(log.warnings().front().text, "width " + fixed_text(lateral[1] - lateral[0]) +
+                                             " mm, expected 50 to 200; state the scale");
 }
 
 TEST(Plausibility, AMissingFlangeShows) {

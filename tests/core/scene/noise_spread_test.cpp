@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "measured/constants.hpp"
 #include "measured/noise_removal.hpp"
 #include "measured/noisy_points.hpp"
 #include "measured/readers.hpp"
