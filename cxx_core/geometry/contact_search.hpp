@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/locus_scan.hpp"
@@ -141,7 +142,7 @@ ContactScan search_contacts(const WheelSurface& wheel, const RailSurface& rail, 
                             double near_tolerance, bool with_samples);
 /// Throws Error(no_contact) for a pose at which no part of the wheel is over the rail; `hint` ends
 /// its text.
-[[noreturn]] void throw_off_the_rail(const Pose& pose, const char* hint = "");
+[[noreturn]] void throw_off_the_rail(const Pose& pose, const std::string& hint = {});
 /// The result of a search whose pose has been scanned.
 ContactScan contacts_of(const SideSearch& search, double near_tolerance, bool with_samples);
 

@@ -369,7 +369,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   const Stopwatch total;
   SceneResult result;
   const ModelChoice model = choose_model(scene);
-  if (varies(scene)) {
+  if (!is_prismatic(scene)) {
     check_varying(scene, model);
   }
   const SceneSurfaces surfaces = shared->surfaces.get(scene);
