@@ -122,6 +122,11 @@ void check_history(const Scene& scene, double time_step) {
   if (scene.pitch_is_free) {
     throw_invalid_argument("motion.pitch", "free", "allowed with a history is a number");
   }
+  if (!is_prismatic(scene)) {
+    throw_invalid_argument(
+        "history", "given",
+        "allowed where a rail or a wheel varies is none: creep forces are steady rolling");
+  }
   const double difference =
       shear_constants(scene.wheel_material, scene.rail_material).difference_parameter;
   if (difference != 0.0) {
