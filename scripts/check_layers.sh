@@ -114,6 +114,16 @@ if [ -n "$above" ]; then
   failures=1
 fi
 
+# Above geometry nobody asks whether a body varies: surfaces answer by what they are asked for, and
+# is_prismatic_along(direction) where a shortcut depends on it.
+varying=$(git ls-files cxx_core c_api | grep -E '\.(c|h|cpp|hpp)$' | grep -v '^cxx_core/geometry/' |
+  xargs grep -nE '\b[a-z_]*(varying|varies|vary)\(|\bslices_\b' || true)
+if [ -n "$varying" ]; then
+  echo "above cxx_core/geometry only is_prismatic_along(direction) may be asked:"
+  echo "$varying"
+  failures=1
+fi
+
 # Fortran reaches the library through its own module's C bindings only; programs in Fortran use the
 # module or the F77 layer as their users do, beside modules of their own.
 own=$(git ls-files drivers/fortran | xargs -r grep -hoiE '^module [a-z_]+$' | cut -d' ' -f2 | tr '\n' '|')

@@ -12,19 +12,23 @@
 #include "derivatives/plane_rates.hpp"
 #include "mechanics/coupled_influence.hpp"
 #include "patches/constants.hpp"
+#include "remesh/contact_border.hpp"
 #include "remesh/met_distance.hpp"
 
 namespace wrc {
 namespace {
 
-/// The planes at the depth found, beside which they were planned.
+/// The planes at the depth found, beside which they were planned. Where they do not move along the
+/// contact locus of a round wheel on a prismatic rail they stay, with one rate of 0 for all.
 struct Planes {
   MovingPatches moving;
   std::vector<std::size_t> index; ///< of each patch of the result
+
+  [[nodiscard]] bool stay() const { return moving.found.patches.empty(); }
 };
 
 Planes find_planes(const WheelDetails& details, std::span<const PatchResult* const> patches) {
-  if (details.varies()) { // planes and elements stay where they are
+  if (!details.pair().is_prismatic_along(along_track)) {
     Planes planes;
     planes.moving.rates.resize(1);
     planes.index.assign(patches.size(), 0);
@@ -45,9 +49,9 @@ Planes find_planes(const WheelDetails& details, std::span<const PatchResult* con
 }
 
 /// Whether any weight is below 1: it changes as planes turn or patches move.
-bool is_changing(const WheelDetails& details) {
+bool is_changing(const WheelDetails& details, const Planes& planes) {
   const PatchInteraction& interaction = *details.interaction;
-  return !details.varies() &&
+  return !planes.stay() &&
          std::any_of(interaction.coupling_weight.begin(), interaction.coupling_weight.end(),
                      [](double coupling_weight) { return coupling_weight < 1.0; });
 }
@@ -74,8 +78,8 @@ void make_changing_influence(std::span<const SolvedPatch> solved, const WheelDet
 }
 
 ByMotion<Vector3> reference_rates(const ContactFrame& frame, const PlaneRates& plane,
-                                  const HeightFunction& rail) {
-  const double slope = rail.at(frame.origin.y).slope;
+                                  const RailSurface& rail) {
+  const double slope = graph_near(rail, frame.origin.x, frame.origin.y).by_lateral;
   return by_motion([&](std::size_t motion) {
     const double by_y = plane.mean_y[motion];
     return plane.mean_x[motion] * frame.longitudinal + Vector3{0.0, by_y, slope * by_y};
@@ -84,8 +88,7 @@ ByMotion<Vector3> reference_rates(const ContactFrame& frame, const PlaneRates& p
 
 /// Motion of a grid over the rectangle around a penetration: its edges move with the ends.
 ElementMotion motion_of_grid(const PatchResult& patch, const ContactPatch& penetration,
-                             const PlaneRates& rates, const HeightFunction& rail,
-                             std::size_t motion) {
+                             const PlaneRates& rates, const RailSurface& rail, std::size_t motion) {
   const Grid& grid = patch.grid;
   const auto follow = [](double middle, double apart, double first_rate, double last_rate,
                          double& translation, double& growth) {
@@ -97,8 +100,8 @@ ElementMotion motion_of_grid(const PatchResult& patch, const ContactPatch& penet
   };
   const auto across = [&](double y, const ByMotion<double>& rate) {
     const ContactFrame& frame = patch.frame;
-    const HeightPoint point = rail.at(y);
-    const double over_plane = rate[motion] * (frame.lateral.y + frame.lateral.z * point.slope);
+    const GraphPoint point = graph_near(rail, frame.origin.x, y);
+    const double over_plane = rate[motion] * (frame.lateral.y + frame.lateral.z * point.by_lateral);
     if (!frame.curve) {
       return over_plane;
     }
@@ -117,34 +120,21 @@ ElementMotion motion_of_grid(const PatchResult& patch, const ContactPatch& penet
   return result;
 }
 
-/// Whether a body ends within the contact: an element under pressure is beside one without it.
-bool is_cut(const PatchResult& patch) {
-  const std::size_t columns = patch.grid.longitudinal_count;
-  const auto ends_at = [&patch](std::size_t i) { return !is_met(patch.undeformed_distance[i]); };
-  for (std::size_t i = 0; i < patch.undeformed_distance.size(); ++i) {
-    if (patch.pressure[i] > 0.0 &&
-        ((i % columns > 0 && ends_at(i - 1)) || (i % columns + 1 < columns && ends_at(i + 1)) ||
-         (i >= columns && ends_at(i - columns)) ||
-         (i + columns < patch.pressure.size() && ends_at(i + columns)))) {
-      return true;
-    }
-  }
-  return false;
-}
-
-/// Known where the grid has the contact for itself, and where elements stay since a part of a rail
-/// that varies ends in the contact: its end stays as well.
+/// Known where the grid has the contact for itself, and where elements stay since a part of a body
+/// ends in the contact: its end stays as well.
 std::optional<ByMotion<ElementMotion>>
-motion_of_grid(const PatchResult& patch, const MovingPatches& moving, const WheelDetails& details) {
-  if (details.varies()) {
-    return is_cut(patch) ? std::optional(ByMotion<ElementMotion>{}) : std::nullopt;
+motion_of_grid(const PatchResult& patch, const Planes& planes, const WheelDetails& details) {
+  const MovingPatches& moving = planes.moving;
+  if (planes.stay()) {
+    return body_ends_in_contact(patch.grid, patch.pressure, patch.undeformed_distance)
+               ? std::optional(ByMotion<ElementMotion>{})
+               : std::nullopt;
   }
   if (moving.found.patches.size() > 1 || details.request.gap != GapConvention::tangent) {
     return std::nullopt;
   }
   return by_motion([&](std::size_t motion) {
-    return motion_of_grid(patch, moving.found.patches[0], moving.rates[0],
-                          details.rail->graph().heights(), motion);
+    return motion_of_grid(patch, moving.found.patches[0], moving.rates[0], *details.rail, motion);
   });
 }
 
@@ -209,15 +199,14 @@ WheelRates compute_rates(const WheelResult& side) {
   std::vector<SolvedPatch> solved;
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const PatchResult& patch = *patches[k];
-    const ByMotion<Vector3>& reference = references.emplace_back(reference_rates(
-        patch.frame, planes.moving.rates[planes.index[k]], details.rail->graph().heights()));
+    const ByMotion<Vector3>& reference = references.emplace_back(
+        reference_rates(patch.frame, planes.moving.rates[planes.index[k]], *details.rail));
     loaded.push_back(
         {patch.frame, patch.grid, patch.pressure,
          angle_rates_of(patch.frame, planes.moving.rates[planes.index[k]], details.request.gap),
          by_motion(
              [&](std::size_t motion) { return dot(reference[motion], patch.frame.longitudinal); }),
-         patch.undeformed_distance, patch.row_scales,
-         motion_of_grid(patch, planes.moving, details)});
+         patch.undeformed_distance, patch.row_scales, motion_of_grid(patch, planes, details)});
     solved.push_back({patch.grid, patch.pressure, details.request.elements});
   }
   SensitivityRequest request;
@@ -230,7 +219,7 @@ WheelRates compute_rates(const WheelResult& side) {
     request.influence = &*influence;
   }
   ByMotion<std::optional<CoupledInfluence>> changes;
-  if (details.interaction && is_changing(details)) {
+  if (details.interaction && is_changing(details, planes)) {
     request.influence_rates = by_motion([&](std::size_t motion) -> PatchInfluence* {
       make_changing_influence(solved, details, planes, motion, changes[motion]);
       return changes[motion] ? &*changes[motion] : nullptr;
@@ -240,7 +229,7 @@ WheelRates compute_rates(const WheelResult& side) {
   ContactStiffness stiffness(cache);
   const PosedPair pair = details.pair();
   WheelSensitivity found = compute_patch_rates(pair, loaded, request, stiffness);
-  if (details.varies()) { // not known from planes: the reference goes with the elements
+  if (planes.stay()) { // the reference goes with the elements
     for (std::size_t k = 0; k < patches.size(); ++k) {
       const ContactFrame& plane = loaded[k].frame;
       references[k] = by_motion([&](std::size_t motion) {
@@ -252,7 +241,7 @@ WheelRates compute_rates(const WheelResult& side) {
   const RollingFrame frame(details.mirror);
   WheelRates result;
   result.by_pressures = frame.mirrored(found.force_rates);
-  if (!details.interaction || !is_changing(details)) {
+  if (!details.interaction || !is_changing(details, planes)) {
     make_symmetric(found.force_rates, found.force, details.pose);
   }
   result.force = frame.mirrored(found.force_rates);

@@ -278,7 +278,7 @@ bool SideSearch::try_scan(const Pose& pose) {
   return true;
 }
 
-void throw_off_the_rail(const Pose& pose, const char* hint) {
+void throw_off_the_rail(const Pose& pose, const std::string& hint) {
   throw Error(ErrorCode::no_contact,
               "wheel off the rail: no part of the wheel profile lies over the rail at "
               "pose.lateral = " +

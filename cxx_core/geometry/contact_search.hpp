@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/locus_scan.hpp"
@@ -136,7 +137,7 @@ private:
 
 /// Throws Error(no_contact) for a pose at which no part of the wheel is over the rail; `hint` ends
 /// its text.
-[[noreturn]] void throw_off_the_rail(const Pose& pose, const char* hint = "");
+[[noreturn]] void throw_off_the_rail(const Pose& pose, const std::string& hint = {});
 /// The result of a search whose pose has been scanned. `near_tolerance` (mm, >= 0): a candidate is
 /// kept if its distance exceeds the least one by no more.
 ContactScan contacts_of(const SideSearch& search, double near_tolerance);

@@ -133,9 +133,12 @@ struct Scene : WheelOptions {
 
 /// Whether a profile is that of a slices file.
 bool is_sliced(const ProfileChoice& choice);
-/// Whether rails may vary along the track, wheels around their circumference, any of them.
-bool rails_vary(const Scene& scene);
-bool wheels_vary(const Scene& scene);
-bool varies(const Scene& scene);
+/// Whether both rails are prismatic along the track and both wheels round, as their profiles say:
+/// slices may be equal.
+bool has_prismatic_rails(const Scene& scene);
+bool has_round_wheels(const Scene& scene);
+inline bool is_prismatic(const Scene& scene) {
+  return has_prismatic_rails(scene) && has_round_wheels(scene);
+}
 
 } // namespace wrc

@@ -91,9 +91,7 @@ PlaneArea widened(PlaneArea area) {
 
 /// The lateral coordinate of the rail's surface at a point of the track.
 double lateral_at(double y, const RailSurface& rail, const ContactFrame& frame) {
-  const Vector3 place{frame.origin.x, y,
-                      rail.varying() == nullptr ? rail.graph().heights().at(y).height
-                                                : height_near(rail, frame.origin.x, y)};
+  const Vector3 place{frame.origin.x, y, graph_near(rail, frame.origin.x, y).height};
   return dot(place - frame.origin, frame.lateral);
 }
 

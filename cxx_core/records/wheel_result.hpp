@@ -84,10 +84,6 @@ struct WheelDetails {
   std::shared_ptr<const RailSurface> rail;
   DamageRequest damage{}; ///< what of it was requested
 
-  /// Whether the rail varies along the track, or the wheel around its circumference.
-  [[nodiscard]] bool varies() const {
-    return wheel->varying() != nullptr || rail->varying() != nullptr;
-  }
   /// Wheel and rail as they were solved.
   [[nodiscard]] PosedPair pair() const { return {*wheel, *rail, pose, vertical}; }
 };

@@ -346,31 +346,10 @@ void SceneSolver::State::solve_contact(const Scene& scene, const SceneSurfaces& 
   }
 }
 
-namespace {
-
-/// Throws for what is not covered where a rail or a wheel varies.
-void check_varying(const Scene& scene, const ModelChoice& model) {
-  const std::string where = "allowed where a rail or a wheel varies is ";
-  if (model.approximate) {
-    throw_invalid_argument("solve.model", model.name, where + "\"half-space\"");
-  }
-  if (scene.gap == GapConvention::vertical) {
-    throw_invalid_argument("solve.gap", "\"vertical\"", where + "\"tangent\"");
-  }
-  if (scene.history) {
-    throw_invalid_argument("history", "given", where + "none: creep forces are steady rolling");
-  }
-}
-
-} // namespace
-
 SceneResult SceneSolver::State::solve(const Scene& scene) {
   const Stopwatch total;
   SceneResult result;
   const ModelChoice model = choose_model(scene);
-  if (varies(scene)) {
-    check_varying(scene, model);
-  }
   const SceneSurfaces surfaces = shared->surfaces.get(scene);
   prepare_solvers(scene);
   result.unused_keys = UnusedKeys(scene);

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/stopwatch.hpp"
 #include "geometry/along_check.hpp"
+#include "geometry/constants.hpp"
 #include "measured/readers.hpp"
 #include "measured/sliced_profile_reader.hpp"
 
@@ -76,20 +77,27 @@ Profile profile_of(const SlicedProfile& sliced) {
   return profile;
 }
 
-std::shared_ptr<const RailSurface> surface_of(const SlicedProfile& sliced,
-                                              const SurfaceSource<TrackDimensions>& source) {
-  return std::make_shared<const RailSurface>(
-      std::make_shared<const VaryingRail>(sliced, source.profile.smoothing_along),
-      profile_of(sliced), source.dimensions);
+std::shared_ptr<const SlicedSurface> slices_of(const SlicedProfile& sliced,
+                                               const SurfaceSource<TrackDimensions>& source) {
+  return sliced_rail(sliced, source.profile.smoothing_along);
 }
 
-std::shared_ptr<const WheelSurface> surface_of(const SlicedProfile& sliced,
+std::shared_ptr<const SlicedSurface> slices_of(const SlicedProfile& sliced,
                                                const SurfaceSource<WheelsetDimensions>& source) {
-  return std::make_shared<const WheelSurface>(
-      std::make_shared<const VaryingWheel>(sliced, source.dimensions.radius,
-                                           source.profile.harmonics,
-                                           source.profile.smoothing_along),
-      source.dimensions, 0.0);
+  return sliced_wheel(sliced, source.dimensions.radius, source.profile.harmonics,
+                      source.profile.smoothing_along);
+}
+
+std::shared_ptr<const RailSurface> surface_of(std::shared_ptr<const SlicedSurface> slices,
+                                              const Curve& first,
+                                              const SurfaceSource<TrackDimensions>& source) {
+  return std::make_shared<const RailSurface>(std::move(slices), first, source.dimensions);
+}
+
+std::shared_ptr<const WheelSurface> surface_of(std::shared_ptr<const SlicedSurface> slices,
+                                               const Curve& /*first*/,
+                                               const SurfaceSource<WheelsetDimensions>& source) {
+  return std::make_shared<const WheelSurface>(std::move(slices), source.dimensions, 0.0);
 }
 
 std::shared_ptr<const RailSurface> surface_of(const Profile& profile,
@@ -102,10 +110,10 @@ std::shared_ptr<const WheelSurface> surface_of(const Profile& profile,
   if (source.profile.harmonics.empty()) {
     return std::make_shared<const WheelSurface>(profile, source.dimensions);
   }
-  return std::make_shared<const WheelSurface>(
-      std::make_shared<const VaryingWheel>(profile.curve.without_steps(), source.dimensions.radius,
-                                           source.profile.harmonics),
-      source.dimensions, 0.0);
+  return std::make_shared<const WheelSurface>(sliced_wheel(profile.curve.without_steps(),
+                                                           source.dimensions.radius,
+                                                           source.profile.harmonics),
+                                              source.dimensions, 0.0);
 }
 
 /// Throws for what slices cannot be read with.
@@ -135,11 +143,9 @@ void check_slices(const ProfileChoice& choice, const ProfilePlacement& placement
   }
 }
 
-/// Shortest and steepest waves of a wheel that the search for contacts finds.
-/// origin: measured: waves of 9.6 mm are found, those of 8.3 mm are not all; contact on a steeper
-/// slope is beyond its reach (geometry/varying_search.hpp).
+/// Shortest waves of a wheel that the search for contacts finds, mm.
+/// origin: measured: waves of 9.6 mm are found, those of 8.3 mm are not all.
 constexpr double shortest_wave = 12.0;
-constexpr double steepest_wave = 0.2;
 
 void check_waves(const std::vector<RadiusHarmonic>& waves, double radius) {
   for (const RadiusHarmonic& wave : waves) {
@@ -150,10 +156,10 @@ void check_waves(const std::vector<RadiusHarmonic>& waves, double radius) {
                                  short_text_of(length) + " mm");
     }
     if (const double slope = std::abs(wave.amplitude) * wave.order / radius;
-        !(slope <= steepest_wave)) {
+        !(slope <= steepest_along)) {
       throw_invalid_argument("amplitude in wheelset.harmonics", wave.amplitude,
                              "slopes of order times amplitude over radius up to " +
-                                 short_text_of(steepest_wave) + ", here " + short_text_of(slope));
+                                 short_text_of(steepest_along) + ", here " + short_text_of(slope));
     }
   }
 }
@@ -177,11 +183,10 @@ surface_of_slices(const SurfaceSource<Dimensions>& source, ProfileKind kind, con
     if (has_equal_slices(sliced)) {
       return surface_of(profile_of(sliced), source);
     }
-    std::shared_ptr<const Surface> surface = surface_of(sliced, source);
+    std::shared_ptr<const SlicedSurface> slices = slices_of(sliced, source);
     warnings = warnings_of(
-        check_along(sliced, surface->varying()->sheets(), {"mm", radius_of(source.dimensions)}),
-        kind);
-    return surface;
+        check_along(sliced, slices->sheets(), {"mm", radius_of(source.dimensions)}), kind);
+    return surface_of(std::move(slices), sliced.slices.front().curve, source);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::file_unreadable) {
       throw Error(error.code(), key + " = \"" + name + "\": " + error.what());
@@ -289,18 +294,11 @@ SceneSurfaces SurfaceCache::get(const Scene& scene) {
     found.rail = get_one(rails_, {side.rail, scene.track}, ProfileKind::rail,
                          key(&SceneSide::rail, "track.", "rail"), which, is_solved,
                          found.likely_rails, surfaces);
-    if (found.rail->varying() != nullptr) {
-      if (is_solved || !scene.roll) { // without a roll both wheels are needed
-        found.rail->refuse_beyond_slices(scene.along);
-      }
-      found.rail =
-          std::make_shared<const RailSurface>(found.rail->posed(displacement, scene.along));
-    } else if (displacement != RailDisplacement{}) {
-      found.rail = std::make_shared<const RailSurface>(found.rail->displaced(displacement));
+    if (is_solved || !scene.roll) { // without a roll both wheels are needed
+      found.rail->refuse_beyond_slices(scene.along);
     }
-    if (found.wheel->varying() != nullptr) {
-      found.wheel = std::make_shared<const WheelSurface>(found.wheel->turned(scene.pitch));
-    }
+    found.rail = posed(found.rail, displacement, scene.along);
+    found.wheel = turned(found.wheel, scene.pitch);
     return found;
   };
   surfaces.left =

@@ -156,7 +156,7 @@ GridSolution WheelSolver::sample(double depth, const GridChoice& grids) {
   rail_normals_.clear();
   for (Patch& patch : solution.patches) {
     const RailNormals& rail = rail_normals_.emplace_back(rail_, patch.frame, patch.grid);
-    patch.undeformed_distance = sample_undeformed_distance(pair, patch.frame, patch.grid, rail);
+    patch.undeformed_distance = sample_undeformed_distance(pair, patch.frame, patch.grid, &rail);
     patch.row_scales = row_scales(pair, patch.frame, patch.grid, rail);
   }
   result_.times.remesh += watch.seconds();

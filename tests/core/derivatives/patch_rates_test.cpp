@@ -126,7 +126,7 @@ public:
         const double along = grid.longitudinal(i % grid.longitudinal_count);
         const double across = grid.lateral(i / grid.longitudinal_count);
         const Vector3 place = frame.to_track(along, across, *ray.solve(along, across));
-        const Vector3 normal{0.0, -ray.point().tangent_height, ray.point().tangent_lateral};
+        const Vector3 normal = ray.line().normal().normal;
         const Vector3 f =
             (pressure[k][i] * grid.element_area() / dot(frame.normal, normal)) * normal;
         sum.force = sum.force + f;

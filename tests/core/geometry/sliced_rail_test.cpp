@@ -1,4 +1,4 @@
-/// Rails that vary: the files that CONTACT's examples come with, and gaps.
+/// Rails through slices: the files that CONTACT's examples come with, and gaps.
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -8,23 +8,23 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/varying_rail.hpp"
+#include "geometry/sliced_surface.hpp"
 #include "geometry/varying_shapes.hpp"
 #include "profile/slice_matching.hpp"
 #include "profile/spline.hpp"
 #include "support/errors.hpp"
 
-namespace wrc::test::varying_rail_test {
+namespace wrc::test::sliced_rail_test {
 namespace {
 
-TEST(VaryingRail, HasNothingInAGap) {
+TEST(SlicedRail, HasNothingInAGap) {
   SlicedProfile profile = profile_of({0.0, 10.0, 20.0, 30.0}, [](double) {
     return curve_of([](double y) { return crown_at(y); });
   });
   const double length = profile.slices[0].curve.length();
   profile.slices[0].features = profile.slices[1].features = {0.0, 20.0, {}, {}};
   profile.slices[2].features = profile.slices[3].features = {{}, {}, 30.0, length};
-  const VaryingRail rail(profile);
+  const SlicedSurface rail = *sliced_rail(profile);
   ASSERT_EQ(rail.sheets().size(), 2U);
   EXPECT_EQ(rail.along().begin, 0.0);
   EXPECT_EQ(rail.along().end, 30.0);
@@ -34,14 +34,14 @@ TEST(VaryingRail, HasNothingInAGap) {
   EXPECT_TRUE(rail.over(25.0, 20.0));
 }
 
-TEST(VaryingRail, TakesTheHighestOfItsSheets) {
+TEST(SlicedRail, TakesTheHighestOfItsSheets) {
   const Curve low = curve_of([](double y) { return Height{-1.0 + 0.01 * y, 0.01, 0.0}; });
   SlicedProfile profile = profile_of({0.0, 10.0}, [&](double) { return low; });
   const double length = low.length();
   for (ProfileSlice& slice : profile.slices)
     slice.features = {0.0, 20.0, length};
   profile.slices[0].features[0] = {}; // its left part is gone there
-  const VaryingRail rail(profile);
+  const SlicedSurface rail = *sliced_rail(profile);
   ASSERT_EQ(rail.sheets().size(), 1U);
   EXPECT_NEAR(rail.over(5.0, 10.0)->height, -0.9, 1e-12);
   EXPECT_FALSE(rail.over(5.0, -20.0));
@@ -72,7 +72,7 @@ void add_features(SlicedProfile& profile) {
     profile.slices[i].features = found.of_slices.at(i);
 }
 
-TEST(VaryingRail, IsNotChangedWhereSlicesAreCutAtOtherPlaces) {
+TEST(SlicedRail, IsNotChangedWhereSlicesAreCutAtOtherPlaces) {
   SlicedProfile profile = profile_of(places_every(0.0, 60.0, 10.0), [](double x) {
     return x < 15.0   ? crossing(-30.0, 30.0, -100.0)
            : x < 25.0 ? crossing(-30.0, 20.0, -100.0)
@@ -80,7 +80,7 @@ TEST(VaryingRail, IsNotChangedWhereSlicesAreCutAtOtherPlaces) {
                       : crossing(-20.0, 40.0, -100.0);
   });
   add_features(profile);
-  const VaryingRail rail(profile);
+  const SlicedSurface rail = *sliced_rail(profile);
   for (double x = 0.5; x < 60.0; x += 1.0)
     for (double y = -19.0; y <= 19.5; y += 0.5) {
       const std::optional<GraphPoint> point = rail.over(x, y);
@@ -93,14 +93,14 @@ TEST(VaryingRail, IsNotChangedWhereSlicesAreCutAtOtherPlaces) {
   EXPECT_FALSE(rail.over(15.0, 25.0));    // ends with slice 2
 }
 
-TEST(VaryingRail, PartsBeginAndEndWithTheSlicesThatHaveThem) {
+TEST(SlicedRail, PartsBeginAndEndWithTheSlicesThatHaveThem) {
   SlicedProfile profile = profile_of(places_every(0.0, 50.0, 10.0), [](double x) {
     return x < 15.0   ? crossing(5.0, 50.0)
            : x < 35.0 ? crossing(-50.0, 50.0)
                       : crossing(-50.0, -5.0);
   });
   add_features(profile);
-  const VaryingRail rail(profile);
+  const SlicedSurface rail = *sliced_rail(profile);
   for (double x = 0.0; x <= 30.0; x += 2.5) // the wing on the right, up to slice 4
     for (double y = 12.0; y <= 49.0; y += 1.0)
       EXPECT_NEAR(rail.over(x, y).value().height, crown_at(y).value, 1e-4) << x << ' ' << y;
@@ -121,7 +121,7 @@ struct ShippedRail {
   std::size_t sheets;
 };
 
-TEST(VaryingRail, TheFilesOfExamplesMakeSurfaces) {
+TEST(SlicedRail, TheFilesOfExamplesMakeSurfaces) {
   const ShippedRail files[] = {{"cross_nose.slcs", 21, 1},      {"wing_rail.slcs", 21, 1},
                                {"cross+wing.slcs", 21, 1},      {"cross+wing_extd.slcs", 31, 2},
                                {"uk_interrupt_v1.slcs", 20, 2}, {"uk_interrupt_v2.slcs", 20, 2}};
@@ -130,7 +130,7 @@ TEST(VaryingRail, TheFilesOfExamplesMakeSurfaces) {
   for (const ShippedRail& each : files) {
     const SlicedProfile profile = read_sliced_profile(shipped(each.file));
     EXPECT_EQ(profile.slices.size(), each.slices) << each.file;
-    const VaryingRail rail(profile);
+    const SlicedSurface rail = *sliced_rail(profile);
     EXPECT_EQ(rail.sheets().size(), each.sheets) << each.file;
     for (const ProfileSlice& slice : profile.slices) { // interpolating: passes through the slices
       double off = 1e9;
@@ -147,12 +147,12 @@ TEST(VaryingRail, TheFilesOfExamplesMakeSurfaces) {
 
 /// Its running surface, along tracks that no moving edge crosses, against straight lines between
 /// the slices, also where the nose begins and the wing ends: up to 0.006 mm, where the wing bends.
-TEST(VaryingRail, ACrossingWithoutFeaturesMakesASurface) {
+TEST(SlicedRail, ACrossingWithoutFeaturesMakesASurface) {
   if (!std::filesystem::exists(shipped("uk_crossing.slcs")))
     GTEST_SKIP() << "no slices files in " << WRCONTACT_ORIGINAL_FILES_DIR;
   const SlicedProfile profile = read_sliced_profile(shipped("uk_crossing.slcs"));
   ASSERT_EQ(profile.slices.size(), 148U);
-  const VaryingRail rail(profile);
+  const SlicedSurface rail = *sliced_rail(profile);
   const auto is_straight = [&](double lateral, double begin, double end) {
     for (std::size_t i = 0; i + 1 < profile.slices.size(); ++i) {
       const double x = profile.slices[i].place;
@@ -172,4 +172,4 @@ TEST(VaryingRail, ACrossingWithoutFeaturesMakesASurface) {
 }
 
 } // namespace
-} // namespace wrc::test::varying_rail_test
+} // namespace wrc::test::sliced_rail_test
