@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "creep/kinematics.hpp"
 #include "creep/total_force.hpp"
 #include "keys/scene_keys.hpp"
 #include "remesh/undeformed_distance.hpp"
