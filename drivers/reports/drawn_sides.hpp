@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "reports/patches.hpp"
 #include "support/gnuplot.hpp"
-#include "wrc_case/reports.hpp"
 
 namespace driver {
 

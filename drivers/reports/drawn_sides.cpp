@@ -1,4 +1,4 @@
-#include "wrc_case/drawn_sides.hpp"
+#include "reports/drawn_sides.hpp"
 
 #include <algorithm>
 #include <cmath>

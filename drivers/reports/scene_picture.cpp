@@ -1,4 +1,4 @@
-#include "wrc_case/reports.hpp"
+#include "reports/scene_picture.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,11 @@
 #include <limits>
 #include <utility>
 
+#include "reports/drawn_sides.hpp"
+#include "reports/patches.hpp"
+#include "reports/stress_picture.hpp"
 #include "support/gnuplot.hpp"
 #include "support/numbers.hpp"
-#include "wrc_case/drawn_sides.hpp"
 
 namespace driver {
 namespace {

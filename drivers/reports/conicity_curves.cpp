@@ -1,12 +1,12 @@
-#include "wrc_sweep/conicity_curves.hpp"
+#include "reports/conicity_curves.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "reports/conicity.hpp"
 #include "support/gnuplot.hpp"
 #include "support/numbers.hpp"
 #include "support/scene.hpp"
-#include "wrc_sweep/conicity.hpp"
 
 namespace driver {
 namespace {

@@ -1,4 +1,4 @@
-#include "wrc_sweep/warning_summary.hpp"
+#include "reports/warning_summary.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "wrc_profile/measures.hpp"
+#include "reports/profile_measures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "wrc_sweep/conicity.hpp"
+#include "reports/conicity.hpp"
 
 #include <algorithm>
 #include <cmath>

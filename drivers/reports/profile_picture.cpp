@@ -1,4 +1,4 @@
-#include "wrc_profile/reports.hpp"
+#include "reports/profile_picture.hpp"
 
 #include <algorithm>
 #include <cmath>
