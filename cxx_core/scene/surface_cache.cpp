@@ -77,26 +77,22 @@ Profile profile_of(const SlicedProfile& sliced) {
   return profile;
 }
 
-std::shared_ptr<const SlicedSurface> slices_of(const SlicedProfile& sliced,
-                                               const SurfaceSource<TrackDimensions>& source) {
-  return sliced_rail(sliced, source.profile.smoothing_along);
+std::shared_ptr<const RailSurface> surface_of(const SlicedProfile& sliced,
+                                              const SurfaceSource<TrackDimensions>& source,
+                                              Warnings& warnings) {
+  auto slices = sliced_rail(sliced, source.profile.smoothing_along);
+  warnings = warnings_of(check_along(sliced, slices->sheets()), ProfileKind::rail);
+  return std::make_shared<const RailSurface>(std::move(slices), sliced.slices.front().curve,
+                                             source.dimensions);
 }
 
-std::shared_ptr<const SlicedSurface> slices_of(const SlicedProfile& sliced,
-                                               const SurfaceSource<WheelsetDimensions>& source) {
-  return sliced_wheel(sliced, source.dimensions.radius, source.profile.harmonics,
-                      source.profile.smoothing_along);
-}
-
-std::shared_ptr<const RailSurface> surface_of(std::shared_ptr<const SlicedSurface> slices,
-                                              const Curve& first,
-                                              const SurfaceSource<TrackDimensions>& source) {
-  return std::make_shared<const RailSurface>(std::move(slices), first, source.dimensions);
-}
-
-std::shared_ptr<const WheelSurface> surface_of(std::shared_ptr<const SlicedSurface> slices,
-                                               const Curve& /*first*/,
-                                               const SurfaceSource<WheelsetDimensions>& source) {
+std::shared_ptr<const WheelSurface> surface_of(const SlicedProfile& sliced,
+                                               const SurfaceSource<WheelsetDimensions>& source,
+                                               Warnings& warnings) {
+  const double radius = source.dimensions.radius;
+  auto slices =
+      sliced_wheel(sliced, radius, source.profile.harmonics, source.profile.smoothing_along);
+  warnings = warnings_of(check_along(sliced, slices->sheets(), {"mm", radius}), ProfileKind::wheel);
   return std::make_shared<const WheelSurface>(std::move(slices), source.dimensions, 0.0);
 }
 
@@ -183,10 +179,7 @@ surface_of_slices(const SurfaceSource<Dimensions>& source, ProfileKind kind, con
     if (has_equal_slices(sliced)) {
       return surface_of(profile_of(sliced), source);
     }
-    std::shared_ptr<const SlicedSurface> slices = slices_of(sliced, source);
-    warnings = warnings_of(
-        check_along(sliced, slices->sheets(), {"mm", radius_of(source.dimensions)}), kind);
-    return surface_of(std::move(slices), sliced.slices.front().curve, source);
+    return surface_of(sliced, source, warnings);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::file_unreadable) {
       throw Error(error.code(), key + " = \"" + name + "\": " + error.what());
