@@ -95,7 +95,8 @@ TEST(SlicedWheel, TheFilesOfExamplesMakeSurfaces) {
     GTEST_SKIP() << "no slices files in " << WRCONTACT_ORIGINAL_FILES_DIR;
   const SlicedProfile flat = read_sliced_profile(folder / "flat_d09.slcw");
   ASSERT_EQ(flat.slices.size(), 57U);
-  const SurfaceSheet& sheet = sliced_wheel(flat, 450.0, {}, 0.0)->sheets()[0];
+  const std::shared_ptr<const SlicedSurface> surface = sliced_wheel(flat, 450.0, {}, 0.0);
+  const SurfaceSheet& sheet = surface->sheets()[0];
   const double middle = 0.5 * sheet.across().end;
   EXPECT_NEAR(sheet.at(middle, 0.0).at[1], -0.9, 0.02);
   EXPECT_NEAR(sheet.at(middle, 3.0).at[1], 0.0, 1e-3);
