@@ -76,9 +76,7 @@ wrc::ReadOptions options_from(const wrc_read_options* given) {
   if (known.align_to != nullptr && given->struct_size >= with_align_to) { // not half a pointer
     options.align_to = known.align_to;
   }
-  if (known.lateral_shift != 0.0) {
-    options.lateral_shift = known.lateral_shift;
-  }
+  options.lateral_shift = known.lateral_shift;
   return options;
 }
 

@@ -32,9 +32,10 @@ for kind in "${kinds[@]}"; do
   [ -s "$kept" ] || bits "$old" "$kind" "$kept" &
   bits "$new" "$kind" "$work/new/$kind" &
   wait
-  if differing=$(diff "$kept" "$work/new/$kind" | grep '^>'); then
+  differing=$(diff "$kept" "$work/new/$kind" | grep '^>' || true) # diff fails where there are any
+  if [ -n "$differing" ]; then
     echo "$kind: $(wc -l <<<"$differing") of $count scenes differ:"
-    sed 's/^> /  /' <<<"$differing" | head -n 20
+    head -n 20 <<<"${differing//> /  }"
     failures=1
   else
     echo "$kind: $count scenes with the same bits ($(grep -c ' ok ' "$kept" || true) solved)"

@@ -9,11 +9,14 @@ build_packages=(
   python3-numpy python3-scipy python3-cffi
   python3-xarray python3-matplotlib python3-pytest python3-pip python3-setuptools python3-wheel python3-venv
 )
+# Beyond that, for what CI checks.
 check_packages=(
-  git clang libclang-rt-dev clang-format clang-tidy binutils qemu-user abigail-tools
-  shellcheck codespell doxygen python3 mypy
-  octave octave-dev fonts-freefont-otf flang-19
-  calculix-ccx
+  git clang libclang-rt-dev clang-format clang-tidy binutils abigail-tools
+  shellcheck codespell python3 mypy
+)
+# Beyond that, for scripts/test.sh --release; scripts that need more install it.
+release_packages=(
+  qemu-user doxygen octave octave-dev fonts-freefont-otf flang-19 calculix-ccx chromium
 )
 windows_packages=(g++-mingw-w64-x86-64-posix gfortran-mingw-w64-x86-64-posix)
 packaging_packages=(

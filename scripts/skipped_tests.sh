@@ -4,7 +4,8 @@
 set -euo pipefail
 
 # GoogleTest prints the reason in the line after "FILE:LINE: Skipped", also where one ctest runs all
-# tests of a program; pytest prints "SKIPPED [COUNT] FILE:LINE: REASON".
+# tests of a program; pytest prints "SKIPPED [COUNT] FILE:LINE: REASON"; our own tests "Skipped: REASON",
+# also those that compare the rest.
 awk '
   function skip(number, reason) {
     sub(/\r$/, "", reason)
@@ -18,6 +19,7 @@ awk '
     sub(/^SKIPPED \[[0-9]+\] ([^ ]+:[0-9]+: )?/, "")
     skip(number, $0)
   }
+  sub(/^Skipped: /, "") { skip(1, $0) }
   END {
     printf "%d %s skipped\n", total, total == 1 ? "test" : "tests"
     for (reason in count)

@@ -1,88 +1,137 @@
 #!/usr/bin/env bash
-# Installs what is missing on a Debian machine, builds and tests. Usage: scripts/test.sh [--all]
-# Without argument the release build and its tests; with --all what CI runs: layers, text,
-# constants, sizes, static analysis, address sanitizer (by clang), thread sanitizer, release with
-# Octave, the reference by Doxygen, a cross build for Windows, a release in a dry run, the outputs that pages show, instruction sets.
+# Installs what is missing on a Debian machine, builds and tests. Usage: scripts/test.sh [--all|--release]
+#   (nothing)  release build of library and programs, and all tests but those with the label "long"
+#   --all      what CI runs: that; layers, text, static analysis; a small run under the address sanitizer;
+#              the tests with threads under the thread sanitizer
+#   --release  everything: --all with all tests, the evidence programs, Octave, a browser, the numerics
+#              under the address sanitizer, reference pages, a cross build for Windows, packages, the
+#              outputs that pages show, emulated instruction sets
+# Each step prints its wall time and the processor time of all its processes. tests/README.md says what is
+# checked in which run.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/packages.sh
 
-all=no
+mode=fast
 case "$#:${1:-}" in
   0:) ;;
-  1:--all) all=yes ;;
+  1:--all) mode=all ;;
+  1:--release) mode=release ;;
   *)
-    echo "scripts/test.sh $*: allowed is --all or nothing" >&2
+    echo "scripts/test.sh $*: the argument must be --all, --release or nothing" >&2
     exit 2
     ;;
 esac
 
-octave=OFF
+costs=()
 skipped=()
-# build_and_test PRESET [PROGRAM]: one program of tests, whose label is its name, or everything.
-build_and_test() {
-  local preset=$1 target=${2:-all} start=$SECONDS built
-  local folder=build/$preset select=()
-  [ "$target" = all ] || select=(-L "^$target\$")
-  echo "== $preset: build"
-  mkdir -p "$folder"
-  cmake --preset "$preset" -DWRCONTACT_WARNINGS_AS_ERRORS=ON "-DWRCONTACT_BUILD_OCTAVE=$octave" \
-    >"$folder/configure.log" 2>&1 || {
-    tail -n 40 "$folder/configure.log"
+times_file=$(mktemp)
+trap 'rm -f "$times_file"' EXIT
+# read_cpu: sets `cpu` to the user and system time of all processes that have ended, in seconds.
+read_cpu() {
+  times >"$times_file" # not in a subshell, which has times of its own
+  cpu=$(awk 'NR == 2 {
+    for (i = 1; i <= 2; i++) { split($i, part, /[ms]/); sum += 60 * part[1] + part[2] }
+    print int(sum) }' "$times_file")
+}
+# step NAME COMMAND...: runs it and prints what it cost.
+step() {
+  local name=$1 start=$SECONDS before cpu
+  read_cpu
+  before=$cpu
+  shift
+  echo "== $name"
+  "$@"
+  read_cpu
+  costs+=("$name: $((SECONDS - start)) s, $((cpu - before)) CPU s")
+  echo "== ${costs[-1]}"
+}
+
+# logged LOG PATTERN COMMAND...: its output goes into LOG; if it fails, lines of PATTERN are shown.
+logged() {
+  local log=$1 pattern=$2
+  shift 2
+  mkdir -p "$(dirname "$log")"
+  "$@" >"$log" 2>&1 || {
+    grep -E -A5 "$pattern" "$log" | tail -n 100
     exit 1
   }
-  cmake --build --preset "$preset" --target "$target" >"$folder/build.log" 2>&1 || {
-    grep -E -A5 'error|FAILED' "$folder/build.log" | head -n 60
-    exit 1
-  }
-  built=$SECONDS
-  echo "== $preset: tests"
-  ctest --preset "$preset" -j "$(nproc)" "${select[@]}" >"$folder/test.log" 2>&1 || {
+}
+# build PRESET OPTIONS TARGET...
+build() {
+  local preset=$1 options=$2 folder=build/$1
+  shift 2
+  # shellcheck disable=SC2086 # several options
+  logged "$folder/configure.log" . cmake --preset "$preset" -DWRCONTACT_WARNINGS_AS_ERRORS=ON $options
+  logged "$folder/build.log" 'error|FAILED' cmake --build --preset "$preset" --target "$@"
+}
+# run_tests PRESET OPTIONS...: options of ctest choose the tests.
+run_tests() {
+  local preset=$1 folder=build/$1
+  shift
+  ctest --preset "$preset" -j "$(nproc)" "$@" >"$folder/test.log" 2>&1 || {
     grep -vE '^ *Start|Passed' "$folder/test.log" | tail -n 100
     exit 1
   }
-  tail -n 3 "$folder/test.log"
+  grep -E 'tests passed|^Total Test time' "$folder/test.log"
   skipped+=("$preset: $(scripts/skipped_tests.sh "$folder/Testing/Temporary/LastTest.log")")
-  echo "== $preset: $((built - start)) s to build, $((SECONDS - built)) s to test"
 }
 
-scripts/install_packages.sh "${build_packages[@]}"
-if [ "$all" = yes ]; then
-  scripts/install_packages.sh "${check_packages[@]}"
-  echo "== layers"
-  scripts/check_layers.sh
-  scripts/check_tested.sh
-  echo "== text"
-  scripts/check_text.sh
-  scripts/list_constants.sh >/dev/null
-  scripts/check_sizes.sh >/dev/null
-  echo "== static analysis"
-  scripts/check_static.sh
-  build_and_test asan
-  build_and_test tsan threads_test
-  octave=ON
-fi
-build_and_test release
-if [ "$all" = yes ]; then
-  echo "== reference of the interfaces"
-  cmake --build --preset release --target reference >build/release/reference.log 2>&1 || {
-    grep -iE 'warning|error' build/release/reference.log | head -n 40
-    exit 1
-  }
+reference() {
+  logged build/release/reference.log '[Ww]arning|[Ee]rror' cmake --build --preset release --target reference
   # Doxygen leaves out what it takes for private, without a warning.
+  local page
   for page in c/html/classwrcontact_1_1Scene c/html/structwrc__patch c/html/wrcontact_8h \
     fortran/html/structwrcontact_1_1contact__scene fortran/html/wrcontact__f77_8f90 \
     python/wrcontact index; do
     [ -f "build/release/reference/$page.html" ]
   done
-  echo "== Windows: compiled by cross compilers"
-  scripts/check_windows.sh
-  echo "== release: packages, wheel"
-  scripts/release.sh "$(sed -n 's/^project(wrcontact VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)" --dry-run
-  echo "== outputs shown in the docs"
-  scripts/check_outputs.py
-  echo "== instruction sets"
-  scripts/check_instruction_sets.sh
+}
+
+step "packages to build" scripts/install_packages.sh "${build_packages[@]}"
+[ "$mode" = fast ] || step "packages to check" scripts/install_packages.sh "${check_packages[@]}"
+[ "$mode" != release ] || step "packages for a release" scripts/install_packages.sh "${release_packages[@]}"
+
+if [ "$mode" != fast ]; then
+  step "layers" scripts/check_layers.sh
+  step "a test for each header" scripts/check_tested.sh
+  step "text" scripts/check_text.sh
+  step "constants" logged build/constants.log . scripts/list_constants.sh
+  step "sizes" logged build/sizes.log . scripts/check_sizes.sh
+  step "static analysis" scripts/check_static.sh
+fi
+if [ "$mode" = release ]; then
+  step "release: build" build release -DWRCONTACT_BUILD_OCTAVE=ON all evidence
+  step "release: all tests" run_tests release
+else
+  step "release: build" build release "" all
+  step "release: tests" run_tests release -LE long
+fi
+case $mode in
+  all)
+    step "address sanitizer: build" build asan "" sanitized
+    step "address sanitizer: a case of each room" run_tests asan -L sanitized
+    ;;
+  release)
+    step "address sanitizer: build" build asan "" all
+    step "address sanitizer: all tests" run_tests asan
+    ;;
+esac
+if [ "$mode" != fast ]; then
+  step "thread sanitizer: build" build tsan "" threads_test
+  step "thread sanitizer: tests with threads" run_tests tsan -L threads_test
+fi
+if [ "$mode" = release ]; then
+  step "reference of the interfaces" reference
+  step "Windows: compiled by cross compilers" scripts/check_windows.sh
+  step "packages, wheel" \
+    scripts/release.sh "$(sed -n 's/^project(wrcontact VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)" --dry-run
+  step "outputs shown in the docs" scripts/check_outputs.py
+  step "instruction sets" scripts/check_instruction_sets.sh
 fi
 echo "== skipped tests"
 printf '%s\n' "${skipped[@]}"
+echo "== cost of each step"
+printf '%s\n' "${costs[@]}"
+read_cpu
+echo "all: $SECONDS s, $cpu CPU s"

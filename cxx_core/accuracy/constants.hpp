@@ -162,7 +162,7 @@ inline constexpr double force_error_by_mean = 0.4;
 
 /// Error of the depth of a contact in a plane, and of its moments over force and semi-axis, over
 /// the square of the surface's turn.
-/// origin: measured (compare_curved.py, planes alone): 0.03 bounds 97 % of the
+/// origin: measured (docs/evidence/curved.md, planes alone): 0.03 bounds 97 % of the
 /// depths and 98.5 % of the moments of 200 wheels.
 inline constexpr double depth_error_by_turn = 0.03;
 
@@ -171,8 +171,8 @@ inline constexpr double depth_error_by_turn = 0.03;
 inline constexpr double force_by_depth = 1.5;
 
 /// Error of the largest pressure in a plane, over the square of the surface's turn.
-/// origin: measured (compare_curved.py, planes alone): 0.07 bounds all of 200 wheels except three
-/// at gauge corners; 0.011 is the median.
+/// origin: measured (docs/evidence/curved.md, planes alone): 0.07 bounds all of 200 wheels except
+/// three at gauge corners; 0.011 is the median.
 inline constexpr double pressure_error_by_turn = 0.07;
 
 /// Of rows along a curve: error of the depth over the square of their turn, ...

@@ -1,6 +1,6 @@
 /// Error of taking contacts as planes, and of displacements between patches that are left out.
 ///
-/// Measured against curved patches (drivers/evidence/curved): with the inclination beta of the
+/// Measured against curved patches (docs/evidence/curved.md): with the inclination beta of the
 /// rail's surface to the plane, delta the mean of its tangent and s its standard deviation, both
 /// weighted with the pressures, and the plane's angle alpha, at a given vertical load
 ///   dF_y / F_z <= (s^3 + 0.4 delta^2) / cos^2(alpha),

@@ -7,6 +7,35 @@
 #include "base/vector_clones.hpp"
 
 namespace wrc {
+namespace {
+
+template <typename Real>
+WRC_VECTOR_BODY double dot_body(const Real* one, const Real* other, std::size_t count) {
+  double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t i = 0; i < count; ++i) {
+    sum += one[i] * other[i];
+  }
+  return sum;
+}
+
+template <typename Real>
+WRC_VECTOR_BODY void add_body(Real* to, Real factor, const Real* from, std::size_t count) {
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    to[i] += factor * from[i];
+  }
+}
+
+template <typename Real>
+WRC_VECTOR_BODY void scale_body(Real* to, Real factor, const Real* from, std::size_t count) {
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    to[i] = factor * from[i];
+  }
+}
+
+} // namespace
 
 WRC_VECTOR_CLONES double sum_of(const double* values, std::size_t count) {
   double sum = 0.0;
@@ -56,5 +85,27 @@ WRC_VECTOR_CLONES double least_ratio(const double* values, const double* others,
   }
   return least;
 }
+
+// Both precisions: the attribute does not work on templates themselves.
+// NOLINTBEGIN(bugprone-macro-parentheses)
+#define REDUCTIONS(Real)                                                                           \
+  template <>                                                                                      \
+  WRC_VECTOR_CLONES double dot(const Real* one, const Real* other, std::size_t count) {            \
+    return dot_body(one, other, count);                                                            \
+  }                                                                                                \
+  template <>                                                                                      \
+  WRC_VECTOR_CLONES void add_scaled(Real* to, double factor, const Real* from,                     \
+                                    std::size_t count) {                                           \
+    add_body(to, static_cast<Real>(factor), from, count);                                          \
+  }                                                                                                \
+  template <>                                                                                      \
+  WRC_VECTOR_CLONES void scale_to(Real* to, double factor, const Real* from, std::size_t count) {  \
+    scale_body(to, static_cast<Real>(factor), from, count);                                        \
+  }
+
+REDUCTIONS(float)
+REDUCTIONS(double)
+#undef REDUCTIONS
+// NOLINTEND(bugprone-macro-parentheses)
 
 } // namespace wrc

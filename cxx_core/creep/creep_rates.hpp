@@ -1,12 +1,12 @@
 /// How a patch's creep forces change with its pressures, at fixed creepages of its reference.
 ///
 /// Pressures change as normal contact says, with elements that follow the contact
-/// (sensitivities.hpp), the plane fixed; the reference moves along it. A patch a little ahead and
-/// one a little behind, p + h dp and p - h dp, are brought onto the grid of creep forces, or to an
-/// ellipse, as the patch is itself: their differences are the rates of the quantities that creep
-/// forces follow from. The grid of creep forces goes with the contact's ends, edges move within its
-/// elements. No contact is solved for them.
-/// Left-hand frame of the side; mm, rad, N, MPa. Thread rule: pure functions.
+/// (derivatives/patch_rates.hpp), the plane fixed; the reference moves along it. A patch a little
+/// ahead and one a little behind, p + h dp and p - h dp, are brought onto the grid of creep forces,
+/// or to an ellipse, as the patch is itself: their differences are the rates of the quantities that
+/// creep forces follow from. The grid of creep forces goes with the contact's ends, edges move
+/// within its elements. No contact is solved for them. Left-hand frame of the side; mm, rad, N,
+/// MPa. Thread rule: pure functions.
 #pragma once
 
 #include <array>

@@ -34,7 +34,8 @@ WheelsetMotion wheelset_motion(const WheelResult& wheel, const CreepRequest& req
           frame.mirrored(request.rail_velocity),
           rail.origin_y(),
           rail.origin_z(),
-          !request.motion->vertical_is_given && wheel.details.varies()};
+          !request.motion->vertical_is_given &&
+              !wheel.details.pair().is_prismatic_along(along_track)};
 }
 
 void find_slip_geometry(WheelResult& wheel, const CreepRequest& request) {

@@ -17,7 +17,7 @@ inline constexpr double min_stiffness_tolerance = 1e-14;
 inline constexpr double min_new_energy = 1e-20;
 
 /// Tolerance of the linear solutions of sensitivities.
-/// origin: measured: the rates neglect more (wheel_sensitivities.hpp).
+/// origin: measured: the rates neglect more (wheel_rates.hpp).
 inline constexpr double sensitivity_tolerance = 1e-4;
 
 } // namespace wrc

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "base/reductions.hpp"
 #include "base/vector_clones.hpp"
 #include "derivatives/constants.hpp"
 #include "mechanics/constants.hpp"
@@ -14,23 +15,6 @@
 namespace wrc {
 
 namespace {
-
-WRC_VECTOR_CLONES double product(const double* first, const double* second, std::size_t count) {
-  double sum = 0.0;
-#pragma omp simd reduction(+ : sum)
-  for (std::size_t i = 0; i < count; ++i) {
-    sum += first[i] * second[i];
-  }
-  return sum;
-}
-
-WRC_VECTOR_CLONES void add_multiple(double factor, const double* from, double* to,
-                                    std::size_t count) {
-#pragma omp simd
-  for (std::size_t i = 0; i < count; ++i) {
-    to[i] += factor * from[i];
-  }
-}
 
 WRC_VECTOR_CLONES void multiply(const double* factors, double* values, std::size_t count) {
 #pragma omp simd
@@ -247,7 +231,7 @@ void ContactStiffness::add_influence(const double* force, double* displacement) 
       continue;
     }
     copy_box(patch.size(), patch.box, full_displacement_[k], in_box_);
-    add_multiple(1.0, in_box_.data(), patch.within(displacement).data(), patch.count());
+    add_scaled(patch.within(displacement).data(), 1.0, in_box_.data(), patch.count());
   }
 }
 
@@ -270,7 +254,7 @@ void ContactStiffness::precondition(const Group& group, const double* residual,
 /// Keeps forces and what they displace, scaled to an energy of 1.
 void ContactStiffness::keep_answer(Group& group, std::vector<double> forces,
                                    std::vector<double> displacements) {
-  const double scale = 1.0 / std::sqrt(product(forces.data(), displacements.data(), forces.size()));
+  const double scale = 1.0 / std::sqrt(dot(forces.data(), displacements.data(), forces.size()));
   if (std::isfinite(scale)) {
     for (std::size_t i = 0; i < forces.size(); ++i) {
       forces[i] *= scale;
@@ -297,9 +281,9 @@ StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
 
   double energy = 0.0; // of the answer so far, <x, A x>
   for (std::size_t i = 0; i < group.forces.size(); ++i) {
-    const double share = product(group.forces[i].data(), residual, count);
-    add_multiple(share, group.forces[i].data(), force, count);
-    add_multiple(-share, group.displacements[i].data(), residual, count);
+    const double share = dot(group.forces[i].data(), residual, count);
+    add_scaled(force, share, group.forces[i].data(), count);
+    add_scaled(residual, -share, group.displacements[i].data(), count);
     energy += share * share;
   }
   // What the iteration has to add, for the answers kept.
@@ -314,7 +298,7 @@ StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
   int best_iteration = 0;
   for (;; ++outcome.iterations) {
     precondition(group, residual_.data(), correction_.data());
-    const double z_r = product(correction, residual, count);
+    const double z_r = dot(correction, residual, count);
     const double whole = energy + gained_energy;
     outcome.error = z_r > 0.0 ? (whole > 0.0 ? std::sqrt(z_r / whole) : 1.0) : 0.0;
     if (z_r < least_z_r) {
@@ -338,19 +322,19 @@ StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
     form_direction(correction, last_z_r > 0.0 ? z_r / last_z_r : 0.0, direction, count);
     last_z_r = z_r;
     displace(group, direction_.data(), response_.data());
-    const double v_q = product(direction, response, count);
+    const double v_q = dot(direction, response, count);
     if (!(v_q > 0.0)) {
       outcome.stop_reason = StopReason::stagnation;
       break;
     }
     const double step = z_r / v_q;
-    add_multiple(step, direction, gained, count);
-    add_multiple(-step, response, residual, count);
+    add_scaled(gained, step, direction, count);
+    add_scaled(residual, -step, response, count);
     gained_energy += step * z_r;
   }
-  add_multiple(1.0, gained, force, count);
+  add_scaled(force, 1.0, gained, count);
   if (gained_energy > min_new_energy * (energy + gained_energy)) {
-    add_multiple(-1.0, residual, left.data(), count); // what the forces gained displace
+    add_scaled(left.data(), -1.0, residual, count); // what the forces gained displace
     keep_answer(group, {gained, gained + count}, std::move(left));
   }
   return outcome;

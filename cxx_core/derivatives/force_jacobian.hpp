@@ -3,7 +3,7 @@
 /// For implicit integrators. Forces and moments about the wheelset's centre as those of
 /// creep/total_force.hpp, F = sum (F_n + T) and M = sum (M_n + r x T + M_spin n), by lateral
 /// position, height, roll and yaw and by six velocities; by the position along the track and the
-/// angle of the axle nothing changes. Normal forces as in derivatives/sensitivities.hpp, with equal
+/// angle of the axle nothing changes. Normal forces as in derivatives/patch_rates.hpp, with equal
 /// pairs where there are no creep forces. Tangential ones,
 /// with creepages c and the derivatives of the tangential solution (CreepDerivatives), change by
 ///   dT = (dT/dc) dc + (dT/dp) dp + (dT/dmu) dmu

@@ -21,8 +21,8 @@ public:
               std::span<const double> wanted, std::span<const RigidMotion> motions,
               std::vector<std::vector<double>>& rates)
       : wheel_(pair.wheel), grid_(grid), wanted_(wanted), ray_(pair, frame),
-        row_(pair.wheel.graph().heights(), pair.wheel.radius(), grid.longitudinal_count),
-        first_height_(ray_.height()), row_height_(first_height_), rates_(rates) {
+        row_(pair.wheel, grid.longitudinal_count), first_height_(ray_.height()),
+        row_height_(first_height_), rates_(rates) {
     for (std::size_t column = 0; column < grid.longitudinal_count; ++column) {
       longitudinal_.push_back(grid.longitudinal(column));
     }
@@ -48,7 +48,7 @@ public:
     if (middle_met) {
       row_height_ = ray_.height();
     }
-    if (middle_met && wheel_.varying() == nullptr) {
+    if (middle_met) {
       row_.meet({ray_.base(0.0, lateral), ray_.longitudinal(), ray_.normal(),
                  longitudinal_.data() + range.begin, range.count()},
                 ray_.lateral());

@@ -175,9 +175,9 @@ ByMotion<double> MovingPatches::coupling_weight_rate(std::size_t i, std::size_t 
 
 MovingPatches find_moving_patches(const WheelSurface& wheel, const RailSurface& rail,
                                   const Pose& pose, const ContactScan& scan, double depth,
-                                  double joining_distance) {
+                                  const PatchOptions& options) {
   const MovingPlaces places(wheel, rail, pose);
-  patch_finding::PatchFinder finder(scan, depth, joining_distance, places);
+  patch_finding::PatchFinder finder(scan, depth, options, places);
   MovingPatches result{finder.find(), {}, {}};
   for (std::size_t k = 0; k < result.found.patches.size(); ++k) {
     if (k > 0) {

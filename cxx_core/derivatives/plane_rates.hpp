@@ -46,11 +46,10 @@ struct MovingPatches {
                                                       Interaction interaction) const;
 };
 
-/// `scan` is that of the pair's pose; `depth` leads from the first touch to the pair's height,
-/// which stays in the track when the wheelset moves laterally or turns. `joining_distance` as for
-/// find_contact_patches.
+/// `scan` is that of the pose; `depth` leads from the first touch to the wheelset's height, which
+/// stays in the track when the wheelset moves laterally or turns.
 MovingPatches find_moving_patches(const WheelSurface& wheel, const RailSurface& rail,
                                   const Pose& pose, const ContactScan& scan, double depth,
-                                  double joining_distance = 0.0);
+                                  const PatchOptions& options);
 
 } // namespace wrc

@@ -30,10 +30,6 @@ constexpr int interval_parts = 4;
 /// origin: measured: slices of smooth shapes swing by up to 0.0065 mm (the shipped crossing; waves
 /// of 0.1 mm over 20 slices by 0.0001 mm), those about steps and sharp flats by 0.014 mm or more.
 constexpr double limit = 0.01;
-/// Slope along which the search for contacts looks for.
-/// origin: derived: its reach (coarse_reach in varying_search.cpp).
-constexpr double steepest_along = 0.2;
-
 /// Places nearer to 0 than this share of a rise are 0 in messages.
 /// origin: bound: rounding.
 constexpr double place_rounding = 1e-9;
@@ -255,8 +251,8 @@ Warnings warnings_of(const AlongCheck& check, ProfileKind kind) {
                         "the " + body + (rise.size > 0.0 ? " rises by " : " falls by ") +
                             short_text_of(std::abs(rise.size)) + " mm within " +
                             short_text_of(rise.length) + " mm at " + short_text_of(rise.place) +
-                            (is_rail ? " mm" : " rad") +
-                            ", steeper than 1:5: contact there can be missed"});
+                            (is_rail ? " mm" : " rad") + ", steeper than 1:" +
+                            text_of(1.0 / steepest_along) + ": contact there can be missed"});
   }
   return warnings;
 }

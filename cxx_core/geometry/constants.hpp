@@ -31,6 +31,19 @@ inline constexpr double first_ray_step = 4.0;
 /// origin: reasoned: more than it needs on smooth profiles.
 inline constexpr int free_newton_steps = 10;
 
+/// Slope along the track, and around wheels, up to which contact is searched: on a slope e it is r
+/// e ahead of the axle. origin: reasoned: ramps of noses and flats of wheels have slopes below 1:5.
+inline constexpr double steepest_along = 0.2;
+
+/// Depth to which a wheel sinks, mm.
+/// origin: reasoned: under 80 kN.
+inline constexpr double typical_depth = 0.1;
+
+/// Depth to which a wheel sinks under any load, mm.
+/// origin: measured: the wheel of Table 1 sinks by 0.31 mm under 700 kN (wrc_case --json
+/// --set load.left=7e5 --set solve.side=left, left.depth), ten times its load.
+inline constexpr double greatest_depth = 3.0 * typical_depth;
+
 /// A surface seen from the ray at a flatter angle than this (its cosine) no longer faces it.
 /// origin: bound: 1 degree.
 inline constexpr double min_facing_cosine = 0.02;

@@ -278,7 +278,7 @@ bool SideSearch::try_scan(const Pose& pose) {
   return true;
 }
 
-void throw_off_the_rail(const Pose& pose, const char* hint) {
+void throw_off_the_rail(const Pose& pose, const std::string& hint) {
   throw Error(ErrorCode::no_contact,
               "wheel off the rail: no part of the wheel profile lies over the rail at "
               "pose.lateral = " +
@@ -434,23 +434,12 @@ ContactCandidate SideSearch::candidate(const LocusSpot& spot) const {
   return result;
 }
 
-ContactScan contacts_of(const SideSearch& search, double near_tolerance, bool with_samples) {
-  ContactScan scan;
-  scan.yaw_tangent = search.yaw_tangent();
+ContactScan contacts_of(const SideSearch& search, double near_tolerance) {
+  ContactScan scan{search.samples(), {}, search.yaw_tangent()};
   for (const LocusSpot& spot : search.least_spots(near_tolerance)) {
     scan.candidates.push_back(search.candidate(spot));
   }
-  if (with_samples) {
-    scan.samples = search.samples();
-  }
   return scan;
-}
-
-ContactScan search_contacts(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose,
-                            double near_tolerance, bool with_samples) {
-  SideSearch search(wheel, rail);
-  search.scan(pose);
-  return contacts_of(search, near_tolerance, with_samples);
 }
 
 } // namespace wrc

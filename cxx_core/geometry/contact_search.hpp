@@ -11,11 +11,12 @@
 /// to a pose nearby, which costs little but sees nothing else.
 ///
 /// Units mm and rad; track frame, left side (geometry/frames.hpp).
-/// Thread rule: search_contacts is a pure function; one SideSearch, one thread.
+/// Thread rule: one SideSearch, one thread.
 #pragma once
 
 #include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/locus_scan.hpp"
@@ -134,15 +135,11 @@ private:
   double least_ = 0.0;      ///< of nodes and edges
 };
 
-/// Scans and refines. `near_tolerance` (mm, >= 0): a candidate is kept if its distance exceeds the
-/// least one by no more. `with_samples` also keeps the scan itself.
-/// Throws Error(no_contact) if no part of the wheel is over the rail.
-ContactScan search_contacts(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose,
-                            double near_tolerance, bool with_samples);
 /// Throws Error(no_contact) for a pose at which no part of the wheel is over the rail; `hint` ends
 /// its text.
-[[noreturn]] void throw_off_the_rail(const Pose& pose, const char* hint = "");
-/// The result of a search whose pose has been scanned.
-ContactScan contacts_of(const SideSearch& search, double near_tolerance, bool with_samples);
+[[noreturn]] void throw_off_the_rail(const Pose& pose, const std::string& hint = {});
+/// The result of a search whose pose has been scanned. `near_tolerance` (mm, >= 0): a candidate is
+/// kept if its distance exceeds the least one by no more.
+ContactScan contacts_of(const SideSearch& search, double near_tolerance);
 
 } // namespace wrc

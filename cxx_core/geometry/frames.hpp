@@ -36,6 +36,9 @@ template <class Real> struct VectorOf {
 
 using Vector3 = VectorOf<double>;
 
+/// In which wheels roll and rails run: x of the track frame. Not a tuning constant.
+inline constexpr Vector3 along_track{1.0, 0.0, 0.0};
+
 inline double norm(const Vector3& a) {
   return std::sqrt(dot(a, a));
 }

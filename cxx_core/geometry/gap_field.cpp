@@ -1,41 +1,17 @@
 #include "geometry/gap_field.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace wrc {
 
 GapField::GapField(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose)
-    : wheel_(wheel), rail_(rail), rotation_(pose), lateral_(pose.lateral), wheel_line_(wheel, 0.0) {
-  if (rail.varying() != nullptr) {
-    rail_line_.emplace(rail);
-  }
-}
+    : wheel_(wheel), rotation_(pose), lateral_(pose.lateral), wheel_line_(wheel, 0.0),
+      rail_line_(rail) {}
 
 void GapField::restart() {
   wheel_line_.start_from(0.0);
-  if (rail_line_) {
-    rail_line_->restart();
-  }
-}
-
-std::optional<Graph> GapField::rail_at(double x, double y) {
-  if (!rail_line_) {
-    const HeightFunction& heights = rail_.graph().heights();
-    if (!heights.covers(y)) {
-      return std::nullopt;
-    }
-    const HeightPoint point = heights.at(y);
-    return Graph{point.height, 0.0, point.slope, 0.0, 0.0, point.second};
-  }
-  const auto height = rail_line_->meet({x, y, 0.0}, {0.0, 0.0, 1.0});
-  if (!height) {
-    return std::nullopt;
-  }
-  const GraphPoint& point = rail_line_->graph();
-  return Graph{*height,         point.by_along,         point.by_lateral,
-               point.by_along2, point.by_along_lateral, point.by_lateral2};
+  rail_line_.restart();
 }
 
 std::optional<double> GapField::wheel_at(double x, double y, Vector3& met) {
@@ -50,34 +26,18 @@ std::optional<double> GapField::wheel_at(double x, double y, Vector3& met) {
 }
 
 void GapField::scan(double x, std::span<const double> rows, std::span<double> gaps) {
-  constexpr double none = -std::numeric_limits<double>::infinity();
-  if (rail_line_) {
-    laterals_.resize(rows.size());
-    double height = 0.0;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      rail_.to_profile_frame(rows[i], 0.0, laterals_[i], height);
-    }
-    std::ranges::fill(gaps, none);
-    for (const SurfaceSheet& sheet : rail_.varying()->sheets()) {
-      sheet.raise_to(rail_.along() + x, laterals_, gaps);
-    }
-  }
-  const double sine = std::sin(rail_.angle());
-  const double cosine = std::cos(rail_.angle());
+  constexpr double nowhere = std::numeric_limits<double>::infinity();
+  rail_line_.heights(x, rows, gaps);
   wheel_line_.start_from(0.0);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto& heights = rail_.graph().heights();
-    const double rail = rail_line_ ? sine * laterals_[i] + cosine * gaps[i] + rail_.origin_z()
-                        : heights.covers(rows[i]) ? heights.at(rows[i]).height
-                                                  : none;
     Vector3 met;
-    const auto wheel = rail > none ? wheel_at(x, rows[i], met) : std::nullopt;
-    gaps[i] = wheel ? *wheel - rail : -none;
+    const auto wheel = gaps[i] > -nowhere ? wheel_at(x, rows[i], met) : std::nullopt;
+    gaps[i] = wheel ? *wheel - gaps[i] : nowhere;
   }
 }
 
 std::optional<GapPoint> GapField::at(double x, double y) {
-  const auto rail = rail_at(x, y);
+  const auto rail = rail_line_.height(x, y);
   if (!rail) {
     return std::nullopt;
   }
@@ -108,9 +68,10 @@ std::optional<GapPoint> GapField::at(double x, double y) {
   wheel.xy = -twice(along, across) * facing;
   wheel.yy = -twice(across, across) * facing;
   GapPoint point;
-  point.rail = *rail;
-  point.gap = {wheel.value - rail->value, wheel.x - rail->x,   wheel.y - rail->y,
-               wheel.xx - rail->xx,       wheel.xy - rail->xy, wheel.yy - rail->yy};
+  point.rail = {rail->height,    rail->by_along,         rail->by_lateral,
+                rail->by_along2, rail->by_along_lateral, rail->by_lateral2};
+  point.gap = {wheel.value - point.rail.value, wheel.x - point.rail.x,   wheel.y - point.rail.y,
+               wheel.xx - point.rail.xx,       wheel.xy - point.rail.xy, wheel.yy - point.rail.yy};
   point.wheel_lateral = wheel_line_.lateral();
   point.wheel_height = wheel_line_.height();
   point.wheel_angle = std::atan2(met.x, -met.z);

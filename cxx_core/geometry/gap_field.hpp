@@ -11,7 +11,6 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "geometry/rail_line.hpp"
 #include "geometry/wheel_line.hpp"
@@ -43,24 +42,21 @@ public:
 
   /// None where the wheel or the rail is not.
   [[nodiscard]] std::optional<GapPoint> at(double x, double y);
-  /// Vertical distances over rows across the track in ascending order, for scans: on an inclined
-  /// rail that varies the height counts as 0 in where the profile is; infinite where a body is not.
+  /// Vertical distances over rows across the track in ascending order, for scans
+  /// (RailLine::heights); infinite where a body is not.
   void scan(double x, std::span<const double> rows, std::span<double> gaps);
   /// The lines that follow begin afresh, whatever was looked up before.
   void restart();
 
 private:
-  [[nodiscard]] std::optional<Graph> rail_at(double x, double y);
   /// The wheel's height over a place, and where that is in its frame; none where it is not.
   [[nodiscard]] std::optional<double> wheel_at(double x, double y, Vector3& met);
 
   const WheelSurface& wheel_;
-  const RailSurface& rail_;
   Rotation rotation_;
   double lateral_;
   WheelLine wheel_line_;
-  std::optional<RailLine> rail_line_; ///< of a rail that varies
-  std::vector<double> laterals_;      ///< of a scan
+  RailLine rail_line_;
 };
 
 } // namespace wrc

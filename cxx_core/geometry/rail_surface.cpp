@@ -1,7 +1,7 @@
 #include "geometry/rail_surface.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "base/error.hpp"
 
@@ -44,11 +44,11 @@ std::optional<double> lateral_of_gauge_face(const Curve& curve, double top_arc, 
 
 } // namespace
 
-RailSurface RailSurface::place(const Profile& profile, const TrackDimensions& track) {
-  const Curve inclined = profile.curve.moved(track.cant, 0.0, 0.0);
+RailSurface RailSurface::place(const Curve& profile, const TrackDimensions& track) {
+  const Curve inclined = profile.moved(track.cant, 0.0, 0.0);
   const double top_arc = arc_of_highest_point(inclined);
   if (track.origin) {
-    CurveGraph placed(profile.curve.without_steps().moved(track.cant, *track.origin, 0.0), top_arc);
+    CurveGraph placed(profile.without_steps().moved(track.cant, *track.origin, 0.0), top_arc);
     auto whole = std::make_shared<const Curve>(placed.curve());
     return {std::move(placed), std::move(whole), top_arc, track.cant, *track.origin, 0.0};
   }
@@ -56,7 +56,7 @@ RailSurface RailSurface::place(const Profile& profile, const TrackDimensions& tr
   const std::optional<double> face =
       lateral_of_gauge_face(inclined, top_arc, top - track.gauge_height, track.gauge_height);
   const double lateral_shift = 0.5 * track.gauge + (face ? -*face : axis_distance);
-  CurveGraph graph(profile.curve.without_steps().moved(track.cant, lateral_shift, -top), top_arc);
+  CurveGraph graph(profile.without_steps().moved(track.cant, lateral_shift, -top), top_arc);
   auto nominal = std::make_shared<const Curve>(graph.curve());
   RailSurface surface{std::move(graph), std::move(nominal), top_arc,
                       track.cant,       lateral_shift,      -top};
@@ -65,17 +65,20 @@ RailSurface RailSurface::place(const Profile& profile, const TrackDimensions& tr
 }
 
 RailSurface::RailSurface(const Profile& profile, const TrackDimensions& track)
-    : RailSurface(place(profile, track)) {}
+    : RailSurface(place(profile.curve, track)) {}
 
-RailSurface::RailSurface(std::shared_ptr<const VaryingRail> rail, const Profile& first,
+RailSurface::RailSurface(std::shared_ptr<const SlicedSurface> slices, const Curve& first,
                          const TrackDimensions& track)
     : RailSurface(place(first, track)) {
-  varying_ = std::move(rail);
-  along_ = varying_->along().begin;
+  slices_ = std::move(slices);
+  along_ = slices_->along().begin;
 }
 
 void RailSurface::refuse_beyond_slices(double along) const {
-  const Stretch slices = varying_->along();
+  if (slices_ == nullptr) {
+    return;
+  }
+  const Stretch slices = slices_->along();
   if (!(along >= slices.begin && along <= slices.end)) {
     throw Error(ErrorCode::no_contact, "pose.longitudinal = " + text_of(along) +
                                            " mm: the slices of the rail reach from " +
@@ -84,31 +87,44 @@ void RailSurface::refuse_beyond_slices(double along) const {
   }
 }
 
+double RailSurface::distance_along() const {
+  return slices_ != nullptr ? slices_->distance_to_part(along_) : 0.0;
+}
+
+std::optional<PartEnd> RailSurface::nearest_end(double x) const {
+  return slices_ != nullptr ? slices_->nearest_end(along_ + x) : std::nullopt;
+}
+
+std::vector<Curve> RailSurface::sections() const {
+  if (slices_ == nullptr) {
+    return {graph_.curve()};
+  }
+  std::vector<Curve> sections = slices_->sections(along_);
+  for (Curve& section : sections) {
+    section = section.moved(angle_, lateral_shift_, height_shift_);
+  }
+  std::ranges::sort(sections, {}, [](const Curve& section) { return section.at(0.0).lateral; });
+  return sections;
+}
+
 RailSurface RailSurface::posed(const RailDisplacement& displacement, double along) const {
   const double angle = angle_ + displacement.roll;
   const double lateral_shift = lateral_shift_ + displacement.lateral;
   const double height_shift = height_shift_ + displacement.height;
-  Curve section =
-      widest_section(varying_->sheets(), along).moved(angle, lateral_shift, height_shift);
-  const double top = arc_of_highest_point(section);
-  RailSurface surface{
-      CurveGraph(std::move(section), top), nominal_, top, angle, lateral_shift, height_shift};
-  surface.varying_ = varying_;
-  surface.along_ = along;
-  return surface;
-}
-
-RailSurface RailSurface::displaced(const RailDisplacement& displacement) const {
-  const double lateral_shift = lateral_shift_ + displacement.lateral;
-  const double height_shift = height_shift_ + displacement.height;
-  if (varying_ != nullptr) {
-    return posed(displacement, along_);
+  if (slices_ != nullptr) {
+    Curve section = slices_->section(along).moved(angle, lateral_shift, height_shift);
+    const double top = arc_of_highest_point(section);
+    RailSurface surface{
+        CurveGraph(std::move(section), top), nominal_, top, angle, lateral_shift, height_shift};
+    surface.slices_ = slices_;
+    surface.along_ = along;
+    return surface;
   }
   if (displacement.roll == 0.0) {
     return {graph_.shifted(displacement.lateral, displacement.height),
             nominal_,
             top_arc_,
-            angle_,
+            angle,
             lateral_shift,
             height_shift};
   }
@@ -116,9 +132,16 @@ RailSurface RailSurface::displaced(const RailDisplacement& displacement) const {
   return {CurveGraph(about_origin.moved(displacement.roll, lateral_shift, height_shift), top_arc_),
           nominal_,
           top_arc_,
-          angle_ + displacement.roll,
+          angle,
           lateral_shift,
           height_shift};
+}
+
+std::shared_ptr<const RailSurface> posed(const std::shared_ptr<const RailSurface>& rail,
+                                         const RailDisplacement& displacement, double along) {
+  return rail->is_prismatic_along(along_track) && displacement == RailDisplacement{}
+             ? rail
+             : std::make_shared<const RailSurface>(rail->posed(displacement, along));
 }
 
 void RailSurface::to_profile_frame(double y, double z, double& lateral, double& height) const {

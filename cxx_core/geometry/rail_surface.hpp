@@ -4,8 +4,8 @@
 /// rail's longitudinal axis: y = t cos(cant) - v sin(cant), z = t sin(cant) + v cos(cant), which
 /// raises the field side. It is then shifted so that its highest point lies at z = 0 and its gauge
 /// face, at `gauge_height` below the top, at y = gauge / 2 (the paper, equations 3 and 4, with the
-/// cant as a rotation about x, see docs/validation.md). The rail is prismatic along x, or varies
-/// (geometry/varying_rail.hpp).
+/// cant as a rotation about x, see docs/validation.md). The rail is prismatic along x, or has the
+/// surface through a list of slices (geometry/sliced_surface.hpp); rail_line.hpp meets either.
 /// A roller or disc, which does not fall to the gauge side by 45 degrees, has no gauge face: its
 /// lateral 0 is put 32.5 mm beside gauge / 2, where the taping line of a wheel is.
 /// Irregularities of the track displace it from there.
@@ -15,9 +15,11 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "geometry/curve_graph.hpp"
-#include "geometry/varying_rail.hpp"
+#include "geometry/frames.hpp"
+#include "geometry/sliced_surface.hpp"
 #include "profile/profile.hpp"
 
 namespace wrc {
@@ -50,25 +52,35 @@ class RailSurface {
 public:
   /// Throws Error(invalid_argument) if the profile's gauge face ends above the gauge height.
   RailSurface(const Profile& profile, const TrackDimensions& track);
-  /// A rail that varies along the track, with the wheelset at the begin of its slices. It is placed
-  /// as a whole, by the gauge face of its first slice (`first`). Throws also as that does.
-  RailSurface(std::shared_ptr<const VaryingRail> rail, const Profile& first,
+  /// A rail through slices, with the wheelset at the begin of them. It is placed as a whole, by the
+  /// gauge face of its first slice (`first`). Throws also as that does.
+  RailSurface(std::shared_ptr<const SlicedSurface> slices, const Curve& first,
               const TrackDimensions& track);
 
-  /// None for a rail of one profile.
-  [[nodiscard]] const VaryingRail* varying() const { return varying_.get(); }
-  /// Where on a rail that varies the wheelset is, mm from the origin of its slices: x = 0 of the
+  /// Whether it is the same all along a direction.
+  [[nodiscard]] bool is_prismatic_along(const Vector3& direction) const {
+    return slices_ == nullptr && direction.y == 0.0 && direction.z == 0.0;
+  }
+  /// Where along the track the wheelset is, mm from the origin of the rail's slices: x = 0 of the
   /// track frame. The graph is the section there.
   [[nodiscard]] double along() const { return along_; }
-  /// Throws Error(no_contact) for a wheelset before the first slice of a rail that varies, or
-  /// beyond the last.
+  /// Throws Error(no_contact) for a wheelset before the first slice of the rail, or beyond the
+  /// last.
   void refuse_beyond_slices(double along) const;
-  /// A rail that varies, displaced, with the wheelset somewhere along it. In a gap the graph is the
-  /// nearest section: a wheel may stand on both sides.
-  [[nodiscard]] RailSurface posed(const RailDisplacement& displacement, double along) const;
+  /// How far it is along the track from the wheelset to the rail; more than 0 in a gap.
+  [[nodiscard]] double distance_along() const;
+  /// The end of a part along the track that is nearest to x; none of a rail without ends.
+  [[nodiscard]] std::optional<PartEnd> nearest_end(double x) const;
+  /// The curves of all its parts at the wheelset, from the track's middle outwards.
+  [[nodiscard]] std::vector<Curve> sections() const;
 
-  /// The same rail somewhere else: 1 us without roll, which takes a new table of heights, 40 us.
-  [[nodiscard]] RailSurface displaced(const RailDisplacement& displacement) const;
+  /// The same rail somewhere else, with the wheelset somewhere along it: 1 us without roll, which
+  /// takes a new table of heights, 40 us, as slices do. In a gap the graph is the nearest section:
+  /// a wheel may stand on both sides.
+  [[nodiscard]] RailSurface posed(const RailDisplacement& displacement, double along) const;
+  [[nodiscard]] RailSurface displaced(const RailDisplacement& displacement) const {
+    return posed(displacement, along_);
+  }
 
   /// The part seen from above: lateral = y, height = z of the track frame.
   [[nodiscard]] const CurveGraph& graph() const { return graph_; }
@@ -85,11 +97,12 @@ public:
   void to_profile_frame(double y, double z, double& lateral, double& height) const;
 
 private:
+  friend class RailLine;
   RailSurface(CurveGraph graph, std::shared_ptr<const Curve> nominal, double top_arc, double angle,
               double lateral_shift, double height_shift)
       : graph_(std::move(graph)), nominal_(std::move(nominal)), top_arc_(top_arc), angle_(angle),
         lateral_shift_(lateral_shift), height_shift_(height_shift) {}
-  static RailSurface place(const Profile& profile, const TrackDimensions& track);
+  static RailSurface place(const Curve& profile, const TrackDimensions& track);
 
   CurveGraph graph_;
   std::shared_ptr<const Curve> nominal_;
@@ -98,8 +111,12 @@ private:
   double lateral_shift_;
   double height_shift_;
   bool is_placed_by_axis_ = false;
-  std::shared_ptr<const VaryingRail> varying_;
+  std::shared_ptr<const SlicedSurface> slices_; ///< none: prismatic
   double along_ = 0.0;
 };
+
+/// The same as RailSurface::posed, or the rail itself where that changes nothing.
+std::shared_ptr<const RailSurface> posed(const std::shared_ptr<const RailSurface>& rail,
+                                         const RailDisplacement& displacement, double along);
 
 } // namespace wrc

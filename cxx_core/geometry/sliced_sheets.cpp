@@ -66,14 +66,6 @@ void check_smoothing_length(const std::string& name, const std::vector<SheetSect
   }
 }
 
-double distance_along(const SurfaceSheet& sheet, double along) {
-  if (sheet.holds(along)) {
-    return 0.0;
-  }
-  const Stretch range = sheet.along();
-  return std::max(range.begin - along, along - range.end);
-}
-
 } // namespace
 
 std::vector<SheetExtent> sheet_extents(const SlicedProfile& profile) {
@@ -145,32 +137,6 @@ std::vector<SurfaceSheet> sheets_of(const SlicedProfile& profile, double smoothi
                            "features with a part in neighbouring slices");
   }
   return sheets;
-}
-
-double distance_to_sheet(std::span<const SurfaceSheet> sheets, double along) {
-  double distance = std::numeric_limits<double>::infinity();
-  for (const SurfaceSheet& sheet : sheets) {
-    distance = std::min(distance, distance_along(sheet, along));
-  }
-  return distance;
-}
-
-Curve widest_section(std::span<const SurfaceSheet> sheets, double along) {
-  const double nearest = distance_to_sheet(sheets, along);
-  const SurfaceSheet* widest = sheets.data();
-  double width = 0.0;
-  for (const SurfaceSheet& sheet : sheets) {
-    if (distance_along(sheet, along) > nearest) {
-      continue;
-    }
-    const double reach =
-        sheet.at(sheet.across().end, along).at[0] - sheet.at(sheet.across().begin, along).at[0];
-    if (reach > width) {
-      widest = &sheet;
-      width = reach;
-    }
-  }
-  return widest->section(along); // clamped to its ends
 }
 
 } // namespace wrc

@@ -13,7 +13,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,10 +47,5 @@ struct AlongUnit {
 /// Error(invalid_argument) as SurfaceSheet does, and for a profile without a sheet.
 std::vector<SurfaceSheet> sheets_of(const SlicedProfile& profile, double smoothing_length,
                                     double period, const AlongUnit& unit = {});
-
-/// How far it is along to the nearest sheet, 0 at one.
-double distance_to_sheet(std::span<const SurfaceSheet> sheets, double along);
-/// Of the sheets at a place, or in a gap of those nearest to it, the section that is widest.
-Curve widest_section(std::span<const SurfaceSheet> sheets, double along);
 
 } // namespace wrc

@@ -484,17 +484,4 @@ std::size_t SurfaceSheet::memory() const {
              sizeof(double);
 }
 
-std::optional<GraphPoint> highest_over(std::span<const SurfaceSheet> sheets, double along,
-                                       double lateral) {
-  std::optional<GraphPoint> highest;
-  for (std::size_t i = 0; i < sheets.size(); ++i) {
-    const std::optional<GraphPoint> point = sheets[i].over(along, lateral);
-    if (point && (!highest || point->height > highest->height)) {
-      highest = point;
-      highest->sheet = i;
-    }
-  }
-  return highest;
-}
-
 } // namespace wrc

@@ -127,10 +127,6 @@ private:
   std::vector<double> begin_second_;
 };
 
-/// The highest point over a place in the plane, of all sheets; none beyond them.
-std::optional<GraphPoint> highest_over(std::span<const SurfaceSheet> sheets, double along,
-                                       double lateral);
-
 /// Height, slopes and second derivatives over (along, lateral) of a point that is not vertical.
 GraphPoint graph_of(const SheetPoint& point);
 

@@ -19,18 +19,12 @@ constexpr double row_spacing = 0.5;
 /// origin: reasoned: slices of noses and flats are that far apart.
 constexpr std::ptrdiff_t rows_apart = 4;
 constexpr double coarse_step = 5.0;
-/// Places ahead of and behind the axle that it reaches, over the radius.
-/// origin: derived: contact on a slope e is r e ahead; ramps and flats have slopes below 1:5.
-constexpr double coarse_reach = 0.2;
 /// Chains are followed up to this height above the least distance, mm.
-/// origin: reasoned: ten times as deep as wheels sink under any load.
-constexpr double chain_height = 5.0;
+/// origin: reasoned: more than ten times as deep as wheels sink under any load.
+constexpr double chain_height = 50.0 * typical_depth;
 /// Rows that may be in contact, above the least distance, mm.
-/// origin: reasoned: wheels sink by 0.05 to 0.3 mm.
-constexpr double near_height = 1.0;
-/// By how much a row's least distance is exceeded where its parabola is drawn, mm.
-/// origin: reasoned: depth of a wheel under 80 kN.
-constexpr double typical_depth = 0.1;
+/// origin: reasoned: three times as deep as wheels sink under any load.
+constexpr double near_height = 10.0 * typical_depth;
 /// Slope that stands for that beside a least distance without curvature.
 /// origin: bound: above rounding.
 constexpr double least_slope = 1e-14;
@@ -107,7 +101,7 @@ std::vector<VaryingSearch::Spot> VaryingSearch::coarse_minima() {
        index += rows_apart) {
     rows.push_back(row(index));
   }
-  const auto reach = std::ceil(coarse_reach * wheel_.radius() / coarse_step);
+  const auto reach = std::ceil(steepest_along * wheel_.radius() / coarse_step);
   const auto places = static_cast<std::size_t>(2.0 * reach) + 1;
   const auto x_of = [&](std::size_t place) {
     return coarse_step * (static_cast<double>(place) - reach);

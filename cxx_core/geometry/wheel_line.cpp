@@ -34,28 +34,22 @@ std::optional<double> WheelLine::meet(const Vector3& from, const Vector3& direct
   }
   double position = (-b - std::sqrt(discriminant)) / a;
   double largest_step = first_ray_step;
-  const HeightFunction& heights = wheel_.graph().heights();
   for (int iteration = 0; iteration < max_newton_steps; ++iteration) {
     const Vector3 body = from + position * direction;
     lateral_ = body.y;
-    double height = 0.0;
-    double derivative = 0.0;
-    if (wheel_.varying() == nullptr) {
-      const HeightPoint profile = heights.at(lateral_);
-      height = profile.height;
-      derivative = body.x * direction.x + body.z * direction.z -
-                   (wheel_.radius() + height) * profile.slope * direction.y;
-    } else if (const auto profile = wheel_.over(body)) {
-      height = profile->height;
-      const AngleRates theta(body);
-      derivative = body.x * direction.x + body.z * direction.z -
-                   (wheel_.radius() + height) *
-                       (profile->by_lateral * direction.y +
-                        profile->by_along * (theta.x * direction.x + theta.z * direction.z));
-    } else {
+    const std::optional<GraphPoint> profile = wheel_.over(body);
+    if (!profile) {
       return std::nullopt;
     }
-    const double rho = wheel_.radius() + height;
+    const double rho = wheel_.radius() + profile->height;
+    double derivative = body.x * direction.x + body.z * direction.z;
+    if (is_round_) {
+      derivative -= rho * profile->by_lateral * direction.y;
+    } else {
+      const AngleRates theta(body);
+      derivative -= rho * (profile->by_lateral * direction.y +
+                           profile->by_along * (theta.x * direction.x + theta.z * direction.z));
+    }
     const double excess = 0.5 * (body.x * body.x + (body.z - rho) * (body.z + rho));
     if (!(derivative < -min_facing_cosine * rho)) {
       return std::nullopt;
@@ -64,10 +58,10 @@ std::optional<double> WheelLine::meet(const Vector3& from, const Vector3& direct
     const bool at_step =
         iteration + 1 == max_newton_steps && std::abs(excess) <= step_tolerance * rho;
     if (std::abs(step) <= ray_tolerance || at_step) {
-      if (wheel_.varying() == nullptr && !heights.covers(lateral_)) {
+      if (is_round_ && !wheel_.graph().heights().covers(lateral_)) {
         return std::nullopt;
       }
-      height_ = height;
+      height_ = profile->height;
       return position;
     }
     position += step;
@@ -79,10 +73,6 @@ std::optional<double> WheelLine::meet(const Vector3& from, const Vector3& direct
 }
 
 Vector3 WheelLine::gradient(const Vector3& point) const {
-  if (wheel_.varying() == nullptr) {
-    const HeightPoint profile = wheel_.graph().heights().at(point.y);
-    return {point.x, -(wheel_.radius() + profile.height) * profile.slope, point.z};
-  }
   const GraphPoint profile = wheel_.over(point).value_or(GraphPoint{});
   const double rho = wheel_.radius() + profile.height;
   const AngleRates theta(point);
@@ -91,15 +81,7 @@ Vector3 WheelLine::gradient(const Vector3& point) const {
 }
 
 SecondDerivatives WheelLine::second_derivatives(const Vector3& point) const {
-  GraphPoint profile;
-  if (wheel_.varying() == nullptr) {
-    const HeightPoint at = wheel_.graph().heights().at(point.y);
-    profile.height = at.height;
-    profile.by_lateral = at.slope;
-    profile.by_lateral2 = at.second;
-  } else {
-    profile = wheel_.over(point).value_or(GraphPoint{});
-  }
+  const GraphPoint profile = wheel_.over(point).value_or(GraphPoint{});
   const double rho = wheel_.radius() + profile.height;
   // Of rho^2/2.
   const double by_angle = rho * profile.by_along;

@@ -2,7 +2,7 @@
 ///
 /// In the wheelset's frame, with Y counted from the taping line, the wheel is
 ///   F = (X^2 + Z^2 - rho^2)/2 = 0,  rho = r0 + w(Y, theta),  theta = atan2(X, -Z) + pitch,
-/// w without theta of a wheel of one profile. The form X^2 + (Z - rho)(Z + rho) does not cancel,
+/// w without theta of a round wheel. The form X^2 + (Z - rho)(Z + rho) does not cancel,
 /// and needs no root. At a kink or a step of the profile steps are halved after a while, and a
 /// point within the step is accepted.
 /// Units mm and rad. Not covered: parts of the profile that overhang. Thread rule: one object, one
@@ -29,7 +29,8 @@ struct SecondDerivatives {
 class WheelLine {
 public:
   /// The wheel must outlive the line. It starts from a height of its profile.
-  WheelLine(const WheelSurface& wheel, double height) : wheel_(wheel), height_(height) {}
+  WheelLine(const WheelSurface& wheel, double height)
+      : wheel_(wheel), is_round_(wheel.is_prismatic_along(along_track)), height_(height) {}
 
   /// Position along a line from `from` at which it meets the wheel from below; none where it does
   /// not. The next line starts from there.
@@ -45,6 +46,7 @@ public:
 
 private:
   const WheelSurface& wheel_;
+  const bool is_round_;
   double lateral_ = 0.0;
   double height_;
 };

@@ -25,20 +25,17 @@ double seed_of_wheel(const Curve& curve) {
   return 0.5 * curve.length();
 }
 
-Profile profile_of(Curve section) {
-  Profile profile;
-  profile.curve = std::move(section);
-  return profile;
-}
-
 } // namespace
 
 WheelSurface::WheelSurface(const Profile& profile, const WheelsetDimensions& dimensions)
-    : graph_(profile.curve.without_steps(), seed_of_wheel(profile.curve)),
+    : WheelSurface(profile.curve, dimensions) {}
+
+WheelSurface::WheelSurface(const Curve& profile, const WheelsetDimensions& dimensions)
+    : graph_(profile.without_steps(), seed_of_wheel(profile)),
       taping_line_(0.5 * dimensions.back_to_back + dimensions.tape_offset),
       radius_(dimensions.radius), dimensions_(dimensions) {
-  for (std::size_t piece = 0; piece < profile.curve.piece_count(); ++piece) {
-    if (!(radius_ + profile.curve.at(piece, 0.0).height > 0.0)) {
+  for (std::size_t piece = 0; piece < profile.piece_count(); ++piece) {
+    if (!(radius_ + profile.at(piece, 0.0).height > 0.0)) {
       throw_invalid_argument("wheelset.radius", radius_,
                              "large enough that the whole wheel profile has a positive radius, mm");
     }
@@ -64,32 +61,37 @@ WheelSurface::WheelSurface(const Profile& profile, const WheelsetDimensions& dim
   }
 }
 
-WheelSurface::WheelSurface(std::shared_ptr<const VaryingWheel> wheel,
+WheelSurface::WheelSurface(std::shared_ptr<const SlicedSurface> slices,
                            const WheelsetDimensions& dimensions, double pitch)
-    : WheelSurface(profile_of(wheel->section(pitch)), dimensions) {
-  varying_ = std::move(wheel);
+    : WheelSurface(slices->section(pitch), dimensions) {
+  slices_ = std::move(slices);
   pitch_ = pitch;
 }
 
 WheelSurface WheelSurface::turned(double pitch) const {
-  return {varying_, dimensions_, pitch};
+  return slices_ != nullptr ? WheelSurface(slices_, dimensions_, pitch) : *this;
+}
+
+std::optional<PartEnd> WheelSurface::nearest_end(double x) const {
+  std::optional<PartEnd> end =
+      slices_ != nullptr ? slices_->nearest_end(pitch_ + std::asin(x / radius_)) : std::nullopt;
+  if (end) {
+    end->distance *= radius_;
+  }
+  return end;
+}
+
+std::shared_ptr<const WheelSurface> turned(const std::shared_ptr<const WheelSurface>& wheel,
+                                           double pitch) {
+  return wheel->is_prismatic_along(along_track)
+             ? wheel
+             : std::make_shared<const WheelSurface>(wheel->turned(pitch));
 }
 
 LocusPose::LocusPose(const Pose& pose, const Rotation& rotation_of_pose)
     : rotation(rotation_of_pose), lateral(pose.lateral), a(rotation.cos_yaw),
       b(rotation.sin_yaw * rotation.sin_roll), along(-rotation.sin_yaw * rotation.cos_roll),
       amplitude_square(a * a + b * b), inverse_square(1.0 / amplitude_square) {}
-
-std::optional<LocusPoint> WheelSurface::locus(const CurvePoint& profile_point, const Pose& pose,
-                                              const Rotation& rotation) const {
-  bool exists = false;
-  const LocusPose locus_pose(pose, rotation);
-  const LocusAngle angle = locus_pose.angle_at(profile_point.slope(), exists);
-  if (!exists) {
-    return std::nullopt;
-  }
-  return locus(profile_point, angle, locus_pose);
-}
 
 LocusPoint WheelSurface::locus(const CurvePoint& profile_point, const LocusAngle& angle,
                                const LocusPose& pose) const {

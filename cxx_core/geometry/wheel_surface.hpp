@@ -24,7 +24,7 @@
 
 #include "geometry/curve_graph.hpp"
 #include "geometry/frames.hpp"
-#include "geometry/varying_wheel.hpp"
+#include "geometry/sliced_surface.hpp"
 #include "profile/profile.hpp"
 
 namespace wrc {
@@ -98,29 +98,27 @@ public:
   /// Throws Error(invalid_argument) if the dimensions and the profile give radii that are not
   /// positive.
   WheelSurface(const Profile& profile, const WheelsetDimensions& dimensions);
-  /// A wheel that varies around its circumference, made with the radius of the dimensions, turned
-  /// by a pitch in rad: the angle theta of its slices that then points down. The graph is the
-  /// section there.
-  WheelSurface(std::shared_ptr<const VaryingWheel> wheel, const WheelsetDimensions& dimensions,
+  /// A wheel through slices, made with the radius of the dimensions, turned by a pitch in rad: the
+  /// angle theta of its slices that then points down. The graph is the section there.
+  WheelSurface(std::shared_ptr<const SlicedSurface> slices, const WheelsetDimensions& dimensions,
                double pitch);
 
-  /// None for a wheel of one profile.
-  [[nodiscard]] const VaryingWheel* varying() const { return varying_.get(); }
-  [[nodiscard]] double pitch() const { return pitch_; }
-  /// A varying wheel turned to another pitch.
-  [[nodiscard]] WheelSurface turned(double pitch) const;
-  /// The profile of a varying wheel at a point in the wheelset's frame, Y counted from the taping
-  /// line: height over (theta, lateral). None beside the wheel.
-  [[nodiscard]] std::optional<GraphPoint> over(const Vector3& point) const {
-    return varying_->over(pitch_ + std::atan2(point.x, -point.z), point.y);
+  /// Whether what the rail meets of it stays the same as it rolls in a direction.
+  [[nodiscard]] bool is_prismatic_along(const Vector3& direction) const {
+    return slices_ == nullptr && direction.y == 0.0 && direction.z == 0.0;
   }
+  /// The same wheel turned to a pitch.
+  [[nodiscard]] WheelSurface turned(double pitch) const;
+  /// The profile at a point in the wheelset's frame, Y counted from the taping line: height over
+  /// (theta, lateral). None beside the parts of a wheel; one without parts is clamped.
+  [[nodiscard]] std::optional<GraphPoint> over(const Vector3& point) const;
+  /// The end of a part around the wheel that is nearest to a point x ahead of the axle: its theta,
+  /// and how far it is on the circumference; none of a wheel without ends.
+  [[nodiscard]] std::optional<PartEnd> nearest_end(double x) const;
   [[nodiscard]] const CurveGraph& graph() const { return graph_; }
   [[nodiscard]] double radius() const { return radius_; }
   /// Lateral coordinate of the taping line in the wheelset frame.
   [[nodiscard]] double taping_line() const { return taping_line_; }
-  /// The locus at a point of the profile; none where the wheel is too steep for this yaw.
-  [[nodiscard]] std::optional<LocusPoint> locus(const CurvePoint& profile_point, const Pose& pose,
-                                                const Rotation& rotation) const;
   /// The locus at a point of the profile whose angle is known.
   [[nodiscard]] LocusPoint locus(const CurvePoint& profile_point, const LocusAngle& angle,
                                  const LocusPose& pose) const;
@@ -132,6 +130,8 @@ public:
   [[nodiscard]] double largest_radius() const { return largest_radius_; }
 
 private:
+  WheelSurface(const Curve& profile, const WheelsetDimensions& dimensions);
+
   CurveGraph graph_;
   double taping_line_;
   double radius_;
@@ -139,8 +139,24 @@ private:
   ProfileNodes nodes_;
   std::vector<Ridge> ridges_;
   WheelsetDimensions dimensions_;
-  std::shared_ptr<const VaryingWheel> varying_;
+  std::shared_ptr<const SlicedSurface> slices_; ///< none: round
   double pitch_ = 0.0;
 };
+
+inline std::optional<GraphPoint> WheelSurface::over(const Vector3& point) const {
+  if (slices_ != nullptr) {
+    return slices_->over(pitch_ + std::atan2(point.x, -point.z), point.y);
+  }
+  const HeightPoint section = graph_.heights().at(point.y);
+  GraphPoint profile;
+  profile.height = section.height;
+  profile.by_lateral = section.slope;
+  profile.by_lateral2 = section.second;
+  return profile;
+}
+
+/// The wheel turned to a pitch, or itself where that changes nothing.
+std::shared_ptr<const WheelSurface> turned(const std::shared_ptr<const WheelSurface>& wheel,
+                                           double pitch);
 
 } // namespace wrc

@@ -31,11 +31,6 @@ constexpr int follow_limit = 12;
 /// After this number of global searches the bracket is halved, whatever Newton's method says.
 /// origin: reasoned: usually one or two searches do, which this must not disturb.
 constexpr int halving_period = 5;
-/// Further contacts are found as far as they may be penetrated, mm.
-/// origin: measured: the wheel of Table 1 sinks by 0.31 mm under 700 kN (wrc_case --json
-/// --set load.left=7e5 --set solve.side=left, left.depth), ten times its load.
-constexpr double penetrated_tolerance = 0.3;
-
 /// Derivative of a side's least distance with respect to the side's own roll. A point fixed in the
 /// wheelset moves by d(y, z) / d roll = (-cos(yaw) z', y'), with (y', z') its position before the
 /// yaw is applied.
@@ -54,13 +49,9 @@ struct Least {
   VaryingSearch::Spot on_chain;
 };
 
-/// For a wheel that does not meet a rail which varies: throws if the rail has a gap below the axle.
+/// For a wheel that does not meet its rail: throws if the rail has a gap below the axle.
 void refuse_gap(const RailSurface& rail) {
-  if (rail.varying() == nullptr) {
-    return;
-  }
-  const double distance = distance_to_sheet(rail.varying()->sheets(), rail.along());
-  if (distance > 0.0) {
+  if (const double distance = rail.distance_along(); distance > 0.0) {
     throw Error(ErrorCode::no_contact,
                 "the wheel is over a gap of the rail at " + short_text_of(rail.along()) +
                     " mm along it: the nearest part is " + short_text_of(distance) +
@@ -72,10 +63,10 @@ void refuse_gap(const RailSurface& rail) {
 class EitherSearch {
 public:
   explicit EitherSearch(const WheelAndRail& pair) : rail_(pair.rail) {
-    if (pair.wheel.varying() != nullptr || pair.rail.varying() != nullptr) {
-      varying_.emplace(pair.wheel, pair.rail);
-    } else {
+    if (pair.is_prismatic_along(along_track)) {
       constant_.emplace(pair.wheel, pair.rail);
+    } else {
+      varying_.emplace(pair.wheel, pair.rail);
     }
   }
 
@@ -84,15 +75,14 @@ public:
     return varying_ ? varying_->try_scan(pose) : constant_->try_scan(pose);
   }
   void scan(const Pose& pose) {
-    if (!varying_) {
-      constant_->scan(pose);
-    } else if (!varying_->try_scan(pose)) {
+    if (!try_scan(pose)) {
       refuse_gap(rail_);
-      throw_off_the_rail(pose,
-                         rail_.varying() == nullptr
-                             ? ""
-                             : "; where slices rise or fall by more than 1:5 along, contact can be "
-                               "missed (wrc_profile names the slices)");
+      throw_off_the_rail(pose, rail_.is_prismatic_along(along_track)
+                                   ? ""
+                                   : "; where slices rise or fall by more than 1:" +
+                                         text_of(1.0 / steepest_along) +
+                                         " along, contact can be missed (wrc_profile names the "
+                                         "slices)");
     }
   }
   [[nodiscard]] Least least() const {
@@ -116,7 +106,7 @@ public:
       return varying_->scans(near_tolerance);
     }
     std::vector<ContactScan> scans;
-    scans.push_back(contacts_of(*constant_, near_tolerance, true));
+    scans.push_back(contacts_of(*constant_, near_tolerance));
     return scans;
   }
 
@@ -245,7 +235,8 @@ private:
 SideEquilibrium settle(EitherSearch& search, const Pose& pose, double near_tolerance) {
   SideEquilibrium side;
   side.pose = pose;
-  std::vector<ContactScan> scans = search.scans(std::max(near_tolerance, penetrated_tolerance));
+  std::vector<ContactScan> scans =
+      search.scans(std::max(near_tolerance, greatest_depth)); // they may be penetrated
   side.scan = std::move(scans.front());
   side.further.assign(std::make_move_iterator(scans.begin() + 1),
                       std::make_move_iterator(scans.end()));

@@ -57,6 +57,12 @@ struct EquilibriumRequest {
 struct WheelAndRail {
   const WheelSurface& wheel;
   const RailSurface& rail;
+
+  /// Whether neither changes as the wheel rolls in a direction: along the track it then keeps its
+  /// height, and touches on its contact locus only (geometry/wheel_surface.hpp).
+  [[nodiscard]] bool is_prismatic_along(const Vector3& direction) const {
+    return wheel.is_prismatic_along(direction) && rail.is_prismatic_along(direction);
+  }
 };
 
 /// Throws Error(no_contact) if a wheel is off its rail or no roll within +-0.2 rad sets both wheels

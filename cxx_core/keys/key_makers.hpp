@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -122,20 +123,22 @@ Key word_key(KeyDescription description, std::vector<std::pair<std::string_view,
 }
 
 /// A number that a word unsets.
-inline Key optional_key(KeyDescription description, Range range, Dimension dimension,
-                        std::optional<double> Scene::*member, std::string_view word) {
+template <class Place>
+Key optional_key(KeyDescription description, Range range, Dimension dimension, Place place,
+                 std::string_view word) {
   Key key;
   key.description = description;
   key.dimension = dimension;
   key.min = range.min;
   key.max = range.max;
-  key.get = [member, word](const Scene& scene) {
-    return scene.*member ? KeyValue(*(scene.*member)) : KeyValue(std::string(word));
+  key.get = [place, word](const Scene& scene) {
+    const std::optional<double>& number = std::invoke(place, scene);
+    return number ? KeyValue(*number) : KeyValue(std::string(word));
   };
-  key.set_number = [member](Scene& scene, double value) { scene.*member = value; };
-  key.set_text = [member, word](Scene& scene, std::string_view value) {
+  key.set_number = [place](Scene& scene, double value) { std::invoke(place, scene) = value; };
+  key.set_text = [place, word](Scene& scene, std::string_view value) {
     if (value == word) {
-      (scene.*member).reset();
+      std::invoke(place, scene).reset();
     }
     return value == word;
   };

@@ -170,13 +170,12 @@ Key align_key() {
                      "nominal profile on which wheel profiles read from a file are laid where they "
                      "are not worn"};
   key.get = [](const Scene& scene) {
-    return KeyValue(scene.align_to.empty() ? std::string("none") : scene.align_to);
+    const std::string& nominal = scene.wheel_placement.align_to;
+    return KeyValue(nominal.empty() ? std::string("none") : nominal);
   };
   key.set_text = [](Scene& scene, std::string_view value) {
-    if (value == "none") {
-      scene.align_to.clear();
-    } else if (!value.empty()) {
-      scene.align_to = value;
+    if (!value.empty()) {
+      scene.wheel_placement.align_to = value == "none" ? std::string_view() : value;
     }
     return !value.empty();
   };
@@ -335,17 +334,17 @@ std::vector<Key> make_wheelset_keys() {
       {{"auto", WheelOrigin::by_file},
        {"tape", WheelOrigin::tape},
        {"flange-back", WheelOrigin::flange_back}},
-      [](auto& s) -> auto& { return s.profile_origin; }));
+      [](auto& s) -> auto& { return s.wheel_placement.origin; }));
   keys.push_back(number_key(
       {"wheelset.profile_shift", "0.0", "-500 to 500 mm",
        "shift added to lateral positions of wheel profiles read from a file, instead of "
        "wheelset.profile_origin, so that the taping line is at 0; 0: none"},
-      {-500.0, 500.0}, length, [](auto& s) -> auto& { return s.profile_shift; }));
+      {-500.0, 500.0}, length, [](auto& s) -> auto& { return s.wheel_placement.lateral_shift; }));
   keys.push_back(optional_key(
       {"wheelset.profile_rotation", "\"auto\"", "\"auto\" or -0.5 to 0.5 rad",
        "rotation of wheel profiles read from a file, anticlockwise in (lateral, height) about the "
        "taping line; \"auto\": that of parallel faces, else a warning where a tilt shows; 0: none"},
-      {-0.5, 0.5}, pure, &Scene::profile_rotation, "auto"));
+      {-0.5, 0.5}, pure, [](auto& s) -> auto& { return s.wheel_placement.rotation; }, "auto"));
   keys.push_back(align_key());
   radius("wheelset.radius", "nominal rolling radius, at the taping line", &Scene::left,
          &Scene::right);

@@ -15,17 +15,13 @@ bool is_sliced(const ProfileChoice& choice) {
   return !choice.given && (name.ends_with(".slcs") || name.ends_with(".slcw"));
 }
 
-bool rails_vary(const Scene& scene) {
-  return is_sliced(scene.left.rail) || is_sliced(scene.right.rail);
+bool has_prismatic_rails(const Scene& scene) {
+  return !is_sliced(scene.left.rail) && !is_sliced(scene.right.rail);
 }
 
-bool wheels_vary(const Scene& scene) {
-  return is_sliced(scene.left.wheel) || is_sliced(scene.right.wheel) ||
-         !scene.left.wheel.harmonics.empty() || !scene.right.wheel.harmonics.empty();
-}
-
-bool varies(const Scene& scene) {
-  return rails_vary(scene) || wheels_vary(scene);
+bool has_round_wheels(const Scene& scene) {
+  return !is_sliced(scene.left.wheel) && !is_sliced(scene.right.wheel) &&
+         scene.left.wheel.harmonics.empty() && scene.right.wheel.harmonics.empty();
 }
 
 } // namespace wrc

@@ -49,12 +49,8 @@ struct ProfileChoice {
   std::shared_ptr<const Profile> given{};
   /// Wavelength in mm for a profile read from a file, 0: none; automatic if not set.
   std::optional<double> smoothing{};
-  std::optional<double> smoothing_along{};   ///< of slices, mm; as their file says if not set
-  WheelOrigin origin = WheelOrigin::by_file; ///< of a wheel's file; a scene's is that of all
-  double shift = 0.0;                        ///< of its lateral, mm, instead of the origin; 0: none
-  std::optional<double> rotation{};          ///< of a wheel's file, rad; a scene's is that of all
-  std::string align_to{};                    ///< nominal profile of a wheel's file, or empty
-  std::vector<RadiusHarmonic> harmonics{};   ///< of a wheel's radius
+  std::optional<double> smoothing_along{}; ///< of slices, mm; as their file says if not set
+  std::vector<RadiusHarmonic> harmonics{}; ///< of a wheel's radius
   bool operator==(const ProfileChoice&) const = default;
 };
 
@@ -83,11 +79,8 @@ struct Scene : WheelOptions {
   SceneSide right;
   TrackDimensions track;
   double back_to_back = 1360.0;
-  double tape_offset = 70.0;                         ///< taping line to inner face
-  WheelOrigin profile_origin = WheelOrigin::by_file; ///< of wheels read from files
-  double profile_shift = 0.0;                        ///< mm; see ProfileChoice
-  std::optional<double> profile_rotation;            ///< rad; see ProfileChoice
-  std::string align_to;                              ///< see ProfileChoice
+  double tape_offset = 70.0;        ///< taping line to inner face
+  ProfilePlacement wheel_placement; ///< of wheels read from files
 
   Material wheel_material{210000.0, 0.3};
   Material rail_material{210000.0, 0.3};
@@ -140,9 +133,12 @@ struct Scene : WheelOptions {
 
 /// Whether a profile is that of a slices file.
 bool is_sliced(const ProfileChoice& choice);
-/// Whether rails may vary along the track, wheels around their circumference, any of them.
-bool rails_vary(const Scene& scene);
-bool wheels_vary(const Scene& scene);
-bool varies(const Scene& scene);
+/// Whether both rails are prismatic along the track and both wheels round, as their profiles say:
+/// slices may be equal.
+bool has_prismatic_rails(const Scene& scene);
+bool has_round_wheels(const Scene& scene);
+inline bool is_prismatic(const Scene& scene) {
+  return has_prismatic_rails(scene) && has_round_wheels(scene);
+}
 
 } // namespace wrc

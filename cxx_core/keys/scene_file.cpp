@@ -70,8 +70,8 @@ std::string write_beside(const Profile& profile, const std::string& side,
   options.smoothing_wavelength = 0.0;
   options.kind = profile.kind;
   if (wheel) {
-    options.rotation = scene.profile_rotation;
-    options.align_to = scene.align_to;
+    static_cast<ProfilePlacement&>(options) = scene.wheel_placement;
+    options.tape_offset = scene.tape_offset;
   }
   if (read_profile(path, options).profile.points != profile.points) {
     throw_invalid_argument(wheel ? "wheelset.wheel" : "track.rail", '"' + profile.name + '"',
@@ -115,16 +115,21 @@ void write_scene(const Scene& scene, const fs::path& path) {
   const bool is_given = scene.left.wheel.given || scene.right.wheel.given;
   if (is_given && !is_wheel_file(scene.left.wheel) && !is_wheel_file(scene.right.wheel)) {
     // Points given by the program are as they are.
-    lasting.profile_rotation = 0.0;
-    lasting.align_to.clear();
-  } else if (!scene.align_to.empty()) {
-    lasting.align_to = lasting_name(scene.align_to, ProfileKind::wheel);
+    lasting.wheel_placement = {WheelOrigin::tape, 0.0, 0.0, {}};
+  } else if (std::string& nominal = lasting.wheel_placement.align_to; !nominal.empty()) {
+    nominal = lasting_name(nominal, ProfileKind::wheel);
   }
   const auto lasting_choice = [&](const ProfileChoice& choice, ProfileKind kind,
-                                  const std::string& side) -> ProfileChoice {
-    return choice.given
-               ? ProfileChoice{write_beside(*choice.given, side, path, lasting), nullptr, 0.0}
-               : ProfileChoice{lasting_name(choice.name, kind), nullptr, choice.smoothing};
+                                  const std::string& side) {
+    ProfileChoice written = choice;
+    if (choice.given) {
+      written.name = write_beside(*choice.given, side, path, lasting);
+      written.given = nullptr;
+      written.smoothing = 0.0;
+    } else {
+      written.name = lasting_name(choice.name, kind);
+    }
+    return written;
   };
   const auto make_lasting = [&](ProfileChoice& left, ProfileChoice& right, ProfileKind kind) {
     const bool same = left == right;

@@ -276,8 +276,8 @@ void check_options(const ReadOptions& options) {
                            "-" + text_of(ReadLimits::max_rotation) + " to " +
                                text_of(ReadLimits::max_rotation) + " rad");
   }
-  if (options.lateral_shift && !(std::abs(*options.lateral_shift) <= ReadLimits::max_length)) {
-    throw_invalid_argument("lateral_shift", *options.lateral_shift,
+  if (!(std::abs(options.lateral_shift) <= ReadLimits::max_length)) {
+    throw_invalid_argument("lateral_shift", options.lateral_shift,
                            "-" + text_of(ReadLimits::max_length) + " to " +
                                text_of(ReadLimits::max_length) + " mm");
   }

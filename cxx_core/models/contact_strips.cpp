@@ -1,8 +1,99 @@
 #include "models/contact_strips.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/wheelset_equilibrium.hpp"
+
 namespace wrc {
+namespace {
+
+constexpr std::size_t cubic_rows = 4; // not a tuning constant
+
+/// A number on the cubic through four rows, with its derivatives by s.
+struct OnCubic {
+  double value = 0.0;
+  double first = 0.0;
+  double second = 0.0;
+};
+
+/// Lagrange's polynomials of four rows at a place.
+class RowCubic {
+public:
+  RowCubic(std::span<const DistanceSample, cubic_rows> rows, double s) : rows_(rows) {
+    for (std::size_t i = 0; i < cubic_rows; ++i) {
+      std::array<double, cubic_rows - 1> from{};
+      double scale = 1.0;
+      for (std::size_t k = 0, other = 0; k < cubic_rows; ++k) {
+        if (k != i) {
+          from[other++] = s - rows[k].wheel.lateral;
+          scale /= rows[i].wheel.lateral - rows[k].wheel.lateral;
+        }
+      }
+      weights_[i] = {scale * from[0] * from[1] * from[2],
+                     scale * (from[0] * from[1] + from[1] * from[2] + from[2] * from[0]),
+                     2.0 * scale * (from[0] + from[1] + from[2])};
+    }
+  }
+
+  template <class Number> [[nodiscard]] OnCubic of(Number&& number) const {
+    OnCubic sum;
+    for (std::size_t i = 0; i < cubic_rows; ++i) {
+      const double value = number(rows_[i]);
+      sum.value += weights_[i].value * value;
+      sum.first += weights_[i].first * value;
+      sum.second += weights_[i].second * value;
+    }
+    return sum;
+  }
+
+private:
+  std::span<const DistanceSample, cubic_rows> rows_;
+  std::array<OnCubic, cubic_rows> weights_;
+};
+
+} // namespace
 
 std::optional<ContactStrip> ContactStrips::at(double s) const {
+  return WheelAndRail{wheel_, rail_}.is_prismatic_along(along_track) ? on_locus(s)
+                                                                     : between_rows(s);
+}
+
+std::optional<ContactStrip> ContactStrips::between_rows(double s) const {
+  const auto lateral_of = [](const DistanceSample& row) { return row.wheel.lateral; };
+  if (rows_.size() < cubic_rows || !(s >= lateral_of(rows_.front())) ||
+      !(s <= lateral_of(rows_.back()))) {
+    return std::nullopt;
+  }
+  const auto after = std::ranges::upper_bound(rows_, s, {}, lateral_of) - rows_.begin();
+  const auto first = std::clamp<std::ptrdiff_t>(after - 2, 0, std::ssize(rows_) - 4);
+  const RowCubic cubic(rows_.subspan(static_cast<std::size_t>(first)).first<cubic_rows>(), s);
+  const auto x = cubic.of([](const DistanceSample& row) { return row.wheel.position.x; });
+  const auto y = cubic.of([](const DistanceSample& row) { return row.wheel.position.y; });
+  const auto z = cubic.of([](const DistanceSample& row) { return row.wheel.position.z; });
+  const auto gap = cubic.of([](const DistanceSample& row) { return row.distance; });
+  const auto bend = cubic.of([](const DistanceSample& row) { return row.wheel.normal_curvature; });
+  ContactStrip strip;
+  strip.s = s;
+  strip.rail = {x.value, y.value, z.value - gap.value};
+  strip.distance = gap.value;
+  strip.rail_slope = cubic.of([](const DistanceSample& row) { return row.rail_slope; }).value;
+  strip.rail_rise = cubic.of([](const DistanceSample& row) { return row.rail_rise; }).value;
+  const double across = 1.0 + strip.rail_slope * strip.rail_slope;
+  const double along = 1.0 + strip.rail_rise * strip.rail_rise; // L^2
+  const double normal = std::sqrt(across + along - 1.0);        // N
+  strip.lateral_rate = y.first;
+  strip.longitudinal_rate =
+      std::sqrt(along) * (x.first + strip.rail_rise * strip.rail_slope / along * y.first);
+  const double by_y = gap.first / y.first;
+  strip.lateral_curvature =
+      (gap.second - by_y * y.second) / (y.first * y.first) * along / (normal * normal * normal);
+  strip.longitudinal_curvature = bend.value * std::sqrt(across) / (along * normal);
+  return strip;
+}
+
+std::optional<ContactStrip> ContactStrips::on_locus(double s) const {
   const HeightFunction& profile = wheel_.graph().heights();
   if (!profile.covers(s)) {
     return std::nullopt;

@@ -18,12 +18,12 @@ constexpr int compared_places = 4;
 class HertzPatch final : public PatchModel {
 public:
   HertzPatch(const ModelWheel& side, const ContactPatch& place, const ContactStrip& contact)
-      : PatchModel(tangent_frame(contact.rail, std::atan(contact.rail_slope))), side_(side),
-        place_(place), contact_(contact), curvature_(contact.lateral_curvature),
+      : PatchModel(tangent_plane(contact)), side_(side), place_(place), contact_(contact),
+        curvature_(contact.lateral_curvature),
         lateral_per_s_(contact.lateral_rate / frame_.lateral.y) {
     if (!(curvature_ > 0.0)) { // profiles leave such a patch at a validity of 0
       const double half_width =
-          std::max(0.5 * (place.contact_last - place.contact_first) / frame_.normal.z,
+          std::max(0.5 * (place.contact_last - place.contact_first) / frame_.lateral.y,
                    min_axis_ratio * place.half_length);
       curvature_ = 2.0 * virtual_penetration_share * place.deepest * frame_.normal.z /
                    (half_width * half_width);
@@ -62,6 +62,10 @@ public:
   }
 
 private:
+  static ContactFrame tangent_plane(const ContactStrip& contact) {
+    const double angle = std::atan(contact.rail_slope);
+    return tangent_frame(contact.rail, angle, contact.rail_rise * std::cos(angle));
+  }
   [[nodiscard]] double approach_at(double depth) const {
     return std::max(0.0, depth - (side_.first_touch + contact_.distance)) * frame_.normal.z;
   }
@@ -106,7 +110,7 @@ double HertzPatch::width_difference() const {
   const double gap = virtual_penetration_share * place_.deepest * frame_.normal.z;
   double difference = 0.0;
   for (const double end : {place_.contact_first, place_.contact_last}) {
-    const double y = (end - contact_.rail.y) / frame_.normal.z;
+    const double y = (end - contact_.rail.y) / frame_.lateral.y;
     const double ratio = 0.5 * curvature_ * y * y / gap;
     difference = std::max(difference, 1.0 - std::min(ratio, 1.0 / ratio));
   }
@@ -121,8 +125,8 @@ double HertzPatch::validity_within(double half_width) const {
     if (!strip) {
       return false;
     }
-    const double gap = (strip->distance - contact_.distance) /
-                       (frame_.normal.z + strip->rail_slope * frame_.lateral.z);
+    const double gap =
+        along_normal(strip->distance - contact_.distance, strip->rail_slope, strip->rail_rise);
     const double y = dot(strip->rail - contact_.rail, frame_.lateral);
     difference = std::max(difference, std::abs(gap - 0.5 * curvature_ * y * y));
     return true;

@@ -55,7 +55,7 @@ public:
                      const ContactStrip& contact)
       : PatchModel(frame), side_(side), place_(place), contact_(contact),
         offset_lateral_(dot(contact.rail - frame.origin, frame.lateral)),
-        offset_longitudinal_(contact.rail.x - frame.origin.x) {}
+        offset_longitudinal_(dot(contact.rail - frame.origin, frame.longitudinal)) {}
 
   double load(double depth) override { return evaluate(depth) ? virtual_.normal_force : 0.0; }
   ModelledPatch solve(double depth) override;
@@ -71,14 +71,13 @@ private:
 
   /// Strips and their solution at a depth; false without penetration.
   bool evaluate(double depth);
-  [[nodiscard]] double penetration(double distance, double rail_slope) const {
-    return (depth_ - (side_.first_touch + distance)) /
-           (frame_.normal.z + rail_slope * frame_.lateral.z);
+  template <class Row> [[nodiscard]] double penetration(const Row& row) const {
+    return along_normal(depth_ - (side_.first_touch + row.distance), row.rail_slope, row.rail_rise);
   }
   /// Penetration that is left of the virtual one; < 0 outside.
   [[nodiscard]] double left_over(double s) const {
     const auto strip = side_.strips.at(s);
-    return strip ? penetration(strip->distance, strip->rail_slope) - outside_ : -approach_;
+    return strip ? penetration(*strip) - outside_ : -approach_;
   }
   [[nodiscard]] double end_between(double inside, double outside) const;
   /// All regions to one side of the contact point, on which the scan's samples go on.
@@ -133,21 +132,22 @@ void KikPiotrowskiPatch::add_region(double from, double to, bool from_contact) {
     if (!strip) {
       continue;
     }
-    const double rest = penetration(strip->distance, strip->rail_slope) - outside_;
+    const double rest = penetration(*strip) - outside_;
     const double square = 2.0 * std::max(0.0, rest) / strip->longitudinal_curvature;
     const double lateral_rate =
         strip->lateral_rate * (frame_.lateral.y + strip->rail_slope * frame_.lateral.z);
     greatest_square_ = std::max(greatest_square_, square);
-    strips_.push_back({dot(strip->rail - contact_.rail, frame_.lateral),
+    const Vector3 apart = strip->rail - contact_.rail;
+    strips_.push_back({dot(apart, frame_.lateral),
                        rule.weight[i] * rate * sign * (to - from) * lateral_rate, square,
-                       strip->rail.x - contact_.rail.x});
+                       dot(apart, frame_.longitudinal)});
   }
 }
 
 void KikPiotrowskiPatch::add_end(double s) {
   if (const auto strip = side_.strips.at(s)) {
-    ends_.push_back(
-        {dot(strip->rail - contact_.rail, frame_.lateral), 0.0, strip->rail.x - contact_.rail.x});
+    const Vector3 apart = strip->rail - contact_.rail;
+    ends_.push_back({dot(apart, frame_.lateral), 0.0, dot(apart, frame_.longitudinal)});
   }
 }
 
@@ -175,7 +175,7 @@ template <class Samples> void KikPiotrowskiPatch::add_side(Samples samples) {
     if (y < place_.limit_first || y > place_.limit_last) {
       break;
     }
-    const double rest = penetration(sample.distance, sample.rail_slope) - outside_;
+    const double rest = penetration(sample) - outside_;
     if (open && rest <= 0.0) {
       close(end_between(last, s));
     } else if (!open && rest > 0.0) {
@@ -204,7 +204,7 @@ template <class Iterator> SampleRange(Iterator, Iterator) -> SampleRange<Iterato
 
 bool KikPiotrowskiPatch::evaluate(double depth) {
   depth_ = depth;
-  approach_ = penetration(contact_.distance, contact_.rail_slope);
+  approach_ = penetration(contact_);
   if (!(approach_ > 0.0)) {
     return false;
   }

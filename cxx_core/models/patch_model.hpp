@@ -7,8 +7,8 @@
 /// by curvature (a kink), S is that of the parabola over the width of virtual penetration.
 /// `KikPiotrowskiPatch`: Kik & Piotrowski's virtual penetration (models/kik_piotrowski.hpp) in the
 /// plane that the half-space solution has. Normal penetration of a strip: the vertical one over
-/// cos(alpha) + slope sin(alpha), alpha the plane's angle. The part of a patch that penetrates by
-/// more than 0.45 of the maximum is its contact, whether connected or not.
+/// n . (-p, -q, 1), n the plane's normal, p and q the rail's slopes. The part of a patch that
+/// penetrates by more than 0.45 of the maximum is its contact, whether connected or not.
 ///
 /// Validity, between 0 and 1: 1 less the largest difference between the lateral shape found and the
 /// one that the model's half-space solution assumes, relative to that:
@@ -35,10 +35,10 @@
 
 namespace wrc {
 
-/// What all patches of a side have in common.
+/// What all patches of a scan have in common.
 struct ModelWheel {
-  const ContactScan& scan;
-  const ContactStrips& strips;
+  const ContactScan& scan; ///< on which the patches were found
+  ContactStrips strips;
   double first_touch; ///< height of the wheelset's centre
   double combined_modulus;
 };
@@ -74,6 +74,10 @@ public:
 
 protected:
   explicit PatchModel(const ContactFrame& frame) : frame_(frame) {}
+  /// Along the frame's normal, of a vertical distance over the rail with these slopes.
+  [[nodiscard]] double along_normal(double distance, double slope, double rise) const {
+    return distance / (frame_.normal.z - slope * frame_.normal.y - rise * frame_.normal.x);
+  }
   ContactFrame frame_;
 };
 

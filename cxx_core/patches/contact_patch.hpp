@@ -46,12 +46,20 @@ struct ContactPatch {
   [[nodiscard]] bool holds(const ContactPatch& other) const {
     return y_first <= other.deepest_y && other.deepest_y <= y_last;
   }
+  bool operator==(const ContactPatch&) const = default;
 };
 
 /// Which patches of a wheel displace each other.
 enum class Interaction {
   all, ///< in proportion to the cosine between their planes
   near ///< those close to each other, by their links
+};
+
+/// How patches are found, and which of them interact.
+struct PatchOptions {
+  /// d_j of contact_patches.hpp, mm; 0: patches are close by their own widths alone.
+  double joining_distance = 4.0;
+  Interaction interaction = Interaction::all;
 };
 
 struct ContactPatches {

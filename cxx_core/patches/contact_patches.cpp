@@ -91,9 +91,7 @@ PlaneArea widened(PlaneArea area) {
 
 /// The lateral coordinate of the rail's surface at a point of the track.
 double lateral_at(double y, const RailSurface& rail, const ContactFrame& frame) {
-  const Vector3 place{frame.origin.x, y,
-                      rail.varying() == nullptr ? rail.graph().heights().at(y).height
-                                                : height_near(rail, frame.origin.x, y)};
+  const Vector3 place{frame.origin.x, y, graph_near(rail, frame.origin.x, y).height};
   return dot(place - frame.origin, frame.lateral);
 }
 
@@ -112,9 +110,13 @@ double ContactPatches::coupling_weight(std::size_t i, std::size_t j,
 }
 
 ContactPatches find_contact_patches(const ContactScan& scan, double depth,
-                                    double joining_distance) {
+                                    const PatchOptions& options) {
   const PlainPlaces places(scan);
-  return patch_finding::PatchFinder(scan, depth, joining_distance, places).find();
+  return patch_finding::PatchFinder(scan, depth, options, places).find();
+}
+
+PatchSource source_of_patches(const ContactScan& scan, double depth) {
+  return {patch_finding::LocusSampler(scan, depth, PlainPlaces(scan)).scan_read(), depth};
 }
 
 ContactPatch joined(const ContactPatch& one, const ContactPatch& other) {
@@ -148,8 +150,8 @@ ContactPatch joined(const ContactPatch& one, const ContactPatch& other) {
 }
 
 ContactPatches find_contact_patches(std::span<const ContactScan* const> scans, double depth,
-                                    double joining_distance) {
-  ContactPatches all = find_contact_patches(*scans.front(), depth, joining_distance);
+                                    const PatchOptions& options) {
+  ContactPatches all = find_contact_patches(*scans.front(), depth, options);
   const double first_y = scans.front()->candidates.front().wheel.position.y;
   bool changed = false;
   for (std::size_t k = 1; k < scans.size(); ++k) {
@@ -157,7 +159,7 @@ ContactPatches find_contact_patches(std::span<const ContactScan* const> scans, d
     if (!(of_scan > 0.0)) {
       continue;
     }
-    ContactPatches found = find_contact_patches(*scans[k], of_scan, joining_distance);
+    ContactPatches found = find_contact_patches(*scans[k], of_scan, options);
     // Weights of a scan are over a power of its depth.
     const double weight = found.weight * std::pow(of_scan / depth, 2.5);
     const double sum = all.weight + weight;

@@ -62,15 +62,21 @@
 namespace wrc {
 
 /// `depth` > 0: how far the wheel is lowered vertically from the first touch. The scan's nearest
-/// candidate must be there; without samples nothing else is seen. `joining_distance`: d_j in mm; 0:
-/// patches are close by their own widths alone.
+/// candidate must be there; without samples nothing else is seen.
 ContactPatches find_contact_patches(const ContactScan& scan, double depth,
-                                    double joining_distance = 0.0);
+                                    const PatchOptions& options = {0.0});
 
 /// The same for several scans, that of the first contact first. Patches of different scans that
 /// overlap, seen from above, are one.
 ContactPatches find_contact_patches(std::span<const ContactScan* const> scans, double depth,
-                                    double joining_distance);
+                                    const PatchOptions& options);
+
+/// What patches are found from: the part of a scan that is read at a depth.
+struct PatchSource {
+  ContactScan scan;
+  double depth = 0.0;
+};
+PatchSource source_of_patches(const ContactScan& scan, double depth);
 
 /// Both as one, with one plane; the weights of both count.
 ContactPatch joined(const ContactPatch& one, const ContactPatch& other);

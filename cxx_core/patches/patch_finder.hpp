@@ -39,8 +39,9 @@ template <class Source> class PatchFinder {
 public:
   using Real = typename Source::Real;
 
-  PatchFinder(const ContactScan& scan, double depth, double joining_distance, const Source& source)
-      : joining_distance_(joining_distance), sampler_(scan, depth, source),
+  PatchFinder(const ContactScan& scan, double depth, const PatchOptions& options,
+              const Source& source)
+      : joining_distance_(options.joining_distance), sampler_(scan, depth, source),
         places_(sampler_.samples()), contact_place_(sampler_.first_contact()),
         lobes_(LobeFinder<Real>(places_, contact_place_, depth).find()) {}
 

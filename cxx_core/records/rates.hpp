@@ -56,7 +56,7 @@ struct PatchRates {
 };
 
 /// How the normal forces change with the wheelset's position, track frame
-/// (derivatives/sensitivities.hpp).
+/// (derivatives/patch_rates.hpp).
 struct WheelRates {
   ForceRates force; ///< pairs of it are equal (make_symmetric)
   /// Each motion by itself, as the rates of pressures are from which creep forces follow.

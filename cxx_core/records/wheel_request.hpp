@@ -23,7 +23,7 @@ enum class SolverChoice { standard, paper };
 enum class CurvedChoice { no, yes, by_accuracy };
 
 /// How the wheels of a scene are solved, each alike.
-struct WheelOptions {
+struct WheelOptions : PatchOptions {
   GapConvention gap = GapConvention::tangent;
   Module until = Module::mechanics; ///< the last one to run
   AccuracyOf accuracy_of = AccuracyOf::pressures;
@@ -32,10 +32,6 @@ struct WheelOptions {
   double tolerance = 1e-5;                        ///< of the pressures, relative; with a grid given
   SolverChoice solver = SolverChoice::standard;
   CurvedChoice curved = CurvedChoice::no;
-  Interaction interaction = Interaction::all;
-  /// Patches closer than twice this distance, mm, have a common plane
-  /// (patches/contact_patches.hpp).
-  double joining_distance = 4.0;
   /// Limit of the grids of a wheel that follow from the accuracy, together; another limit of the
   /// same size for creep forces.
   double element_limit = default_element_limit;

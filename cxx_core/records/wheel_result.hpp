@@ -17,12 +17,14 @@
 #include "geometry/rail_surface.hpp"
 #include "geometry/wheel_surface.hpp"
 #include "mechanics/normal_contact.hpp"
+#include "patches/contact_patches.hpp"
 #include "records/creep_result.hpp"
 #include "records/damage_result.hpp"
 #include "records/friction_law.hpp"
 #include "records/motion.hpp"
 #include "records/rates.hpp"
 #include "records/slip_geometry.hpp"
+#include "records/wheel_request.hpp"
 #include "remesh/surface_rays.hpp"
 #include "remesh/undeformed_distance.hpp"
 
@@ -72,27 +74,22 @@ struct WheelDetails {
   double mirror = 1.0;   ///< +1 on the left, -1 on the right: from the side's left-hand frame
   Pose pose;             ///< left-hand frame of the side
   double vertical = 0.0; ///< height of the wheelset's centre
-  double combined_modulus = 0.0;
-  Elements elements = Elements::constant;
+  WheelRequest request;  ///< that was solved
   std::optional<PatchInteraction> interaction; ///< of the patches as they were solved
-  Interaction interaction_rule = Interaction::all;
-  double joining_distance = 0.0; ///< of the patches, mm
-  std::optional<double> load;    ///< vertical, of the normal problem; or none
-  GapConvention gap = GapConvention::tangent;
-  std::optional<WheelsetMotion> motion; ///< from which creepages follow, left-hand frame
-  FrictionLaw friction;                 ///< of creep forces
+  std::optional<double> load;                  ///< vertical, of the normal problem; or none
+  PatchSource source;                          ///< of the patches at the depth found
+  std::optional<WheelsetMotion> motion;        ///< from which creepages follow, left-hand frame
+  FrictionLaw friction;                        ///< of creep forces
   std::shared_ptr<const WheelSurface> wheel;
   std::shared_ptr<const RailSurface> rail;
   DamageRequest damage{}; ///< what of it was requested
 
-  /// Whether the rail varies along the track, or the wheel around its circumference.
-  [[nodiscard]] bool varies() const {
-    return wheel->varying() != nullptr || rail->varying() != nullptr;
-  }
   /// Wheel and rail as they were solved.
   [[nodiscard]] PosedPair pair() const { return {*wheel, *rail, pose, vertical}; }
 };
 
+/// Filled in by make_wheel_result (wheel/), then solve_creep_forces (creep/), at last by
+/// complete_wheel (scene/solve_scene.cpp).
 struct WheelResult {
   ContactPoint rigid_contact;
   std::vector<ContactPoint> near_contacts; ///< further ones, nearest first

@@ -11,7 +11,8 @@
 #include "accuracy/grid_solution.hpp"
 #include "base/warning.hpp"
 #include "mechanics/normal_contact.hpp"
-#include "remesh/undeformed_distance.hpp"
+#include "patches/contact_patches.hpp"
+#include "records/wheel_request.hpp"
 
 namespace wrc {
 
@@ -21,6 +22,7 @@ struct StageTimes {
 };
 
 struct WheelSolution {
+  WheelRequest request; ///< that was solved
   bool in_contact = false;
   bool solved = false; ///< the mechanics have run
   /// With pressure only. By contact, the one with the largest normal force first; within a contact
@@ -29,12 +31,8 @@ struct WheelSolution {
   double vertical = 0.0;      ///< height of the wheelset's centre
   double depth = 0.0;         ///< vertical, from the first touch to that height
   std::optional<double> load; ///< vertical, of the normal problem; or the height was prescribed
-  double combined_modulus = 0.0;
-  Elements elements = Elements::constant;
-  GapConvention gap = GapConvention::tangent;
   std::optional<PatchInteraction> interaction; ///< none: the patches do not interact
-  Interaction interaction_rule = Interaction::all;
-  double joining_distance = 0.0; ///< mm, see patches/contact_patches.hpp
+  PatchSource source;                          ///< of the patches at the depth found
   double peak_pressure = 0.0;
   /// Relative, of forces or pressures as the accuracy; none if not known.
   std::optional<double> discretisation_error;

@@ -11,9 +11,7 @@
 namespace wrc {
 
 RailNormals::RailNormals(const RailSurface& rail, const ContactFrame& frame, const Grid& grid)
-    : frame_(frame), grid_(grid),
-      by_row_(rail.varying() == nullptr && frame.longitudinal.y == 0.0 &&
-              frame.longitudinal.z == 0.0) {
+    : frame_(frame), grid_(grid), by_row_(rail.is_prismatic_along(frame.longitudinal)) {
   const std::size_t columns = by_row_ ? 1 : grid.longitudinal_count;
   places_.reserve(grid.lateral_count * columns);
   rows_.reserve(grid.lateral_count);
@@ -23,22 +21,11 @@ RailNormals::RailNormals(const RailSurface& rail, const ContactFrame& frame, con
     const ContactFrame::Row& at = rows_.emplace_back(frame.row_at(lateral));
     for (std::size_t column = 0; column < columns; ++column) {
       const auto position = ray.solve(by_row_ ? 0.0 : grid.longitudinal(column), lateral);
-      Place place{position.has_value(), at.place, at.normal, at.lateral, at.normal, {}, {}};
+      Place place{position.has_value(), at.place, at.normal, {at.normal, at.lateral, {}, {}}};
       if (position) {
         place.foot = place.foot + *position * at.normal;
-        if (rail.varying() == nullptr) {
-          const CurvePoint& point = ray.point();
-          place.tangent = {0.0, point.tangent_lateral, point.tangent_height};
-          place.normal = {0.0, -point.tangent_height, point.tangent_lateral};
-          place.normal_rate = {0.0, -point.second_height, point.second_lateral};
-        } else { // any multiple of the normal does
-          const GraphPoint& graph = ray.graph();
-          place.tangent = {0.0, 1.0, 0.0};
-          place.normal = {-graph.by_along, -graph.by_lateral, 1.0};
-          place.normal_rate = {-graph.by_along_lateral, -graph.by_lateral2, 0.0};
-          place.normal_rate_along = {-graph.by_along2, -graph.by_along_lateral, 0.0};
-        }
-        place.direction = (1.0 / dot(at.normal, place.normal)) * place.normal;
+        place.surface = ray.line().normal();
+        place.direction = (1.0 / dot(at.normal, place.surface.normal)) * place.surface.normal;
       }
       places_.push_back(place);
     }
@@ -78,12 +65,13 @@ Vector3 RailNormals::arm(std::size_t row, std::size_t column) const {
 RailNormals::Rates RailNormals::rates(std::size_t row, std::size_t column, double along,
                                       double across) const {
   const Place& place = places_[index(row, column)];
+  const SurfaceNormal& surface = place.surface;
   const ContactFrame::Row& at = rows_[row];
   const Vector3 in_plane = along * frame_.longitudinal + across * at.lateral;
-  const double facing = 1.0 / dot(at.normal, place.normal);
-  const Vector3 arm = in_plane - (dot(place.normal, in_plane) * facing) * at.normal;
-  const Vector3 turned = (dot(place.tangent, arm) * facing) * place.normal_rate +
-                         (arm.x * facing) * place.normal_rate_along;
+  const double facing = 1.0 / dot(at.normal, surface.normal);
+  const Vector3 arm = in_plane - (dot(surface.normal, in_plane) * facing) * at.normal;
+  const Vector3 turned =
+      (dot(surface.across, arm) * facing) * surface.by_across + (arm.x * facing) * surface.by_along;
   return {turned - dot(at.normal, turned) * place.direction, arm};
 }
 

@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "base/grid.hpp"
-#include "geometry/rail_surface.hpp"
+#include "geometry/rail_line.hpp"
 #include "patches/contact_frame.hpp"
 
 namespace wrc {
@@ -52,7 +52,7 @@ struct SurfaceTurn {
 
 class RailNormals {
 public:
-  /// Normals of the rows of a grid; of each element, where the frame is yawed against the rail.
+  /// Normals of the rows of a grid; of each element, where the rail is not the same along the rows.
   RailNormals(const RailSurface& rail, const ContactFrame& frame, const Grid& grid);
 
   /// The plane goes by so much, with the elements; to first order.
@@ -94,11 +94,7 @@ private:
     bool met;
     Vector3 foot; ///< from the origin, less what lies along the row
     Vector3 direction;
-    Vector3 tangent; ///< of the rail, and ...
-    Vector3 normal;  ///< ... its normal, ...
-    /// ... which changes so along the arc; of a rail that varies by y, and by x.
-    Vector3 normal_rate;
-    Vector3 normal_rate_along;
+    SurfaceNormal surface;
   };
   [[nodiscard]] std::size_t index(std::size_t row, std::size_t column) const {
     return by_row_ ? row : row * grid_.longitudinal_count + column;

@@ -6,7 +6,6 @@
 
 #include "base/vector_clones.hpp"
 #include "remesh/constants.hpp"
-#include "remesh/surface_rays.hpp"
 
 namespace wrc {
 namespace {
@@ -185,16 +184,23 @@ double step_twice(bool is_revolution, const RowOfRays& rays, const RowStretch& s
 
 } // namespace
 
-RaySurface::RaySurface(const HeightFunction& heights, std::optional<double> radius,
-                       std::size_t row_length)
-    : heights_(heights), radius_(radius), position_(row_length), lateral_(row_length),
-      error_(row_length) {}
+RaySurface::RaySurface(const RailSurface& rail, std::size_t row_length)
+    : heights_(rail.graph().heights()), is_prismatic_(rail.is_prismatic_along(along_track)),
+      position_(row_length), lateral_(row_length), error_(row_length) {}
+
+RaySurface::RaySurface(const WheelSurface& wheel, std::size_t row_length)
+    : heights_(wheel.graph().heights()), is_prismatic_(wheel.is_prismatic_along(along_track)),
+      radius_(wheel.radius()), position_(row_length), lateral_(row_length), error_(row_length) {}
 
 void RaySurface::meet_none(std::size_t count) {
   std::fill_n(error_.begin(), count, infinity);
 }
 
 bool RaySurface::meet(const RowOfRays& rays, double lateral) {
+  if (!is_prismatic_) {
+    meet_none(rays.count);
+    return false;
+  }
   const HeightPoint middle = heights_.at(lateral);
   const double radius = radius_.value_or(0.0);
   const Tangent tangent{lateral, radius + middle.height, middle.slope};

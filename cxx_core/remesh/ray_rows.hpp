@@ -1,4 +1,5 @@
-/// Parallel rays of a whole row of elements, met with a profile's surface all at once.
+/// Parallel rays of a whole row of elements, met with a surface all at once if that is prismatic
+/// along the track.
 ///
 /// A ray is base + x along + p normal, with x the element's longitudinal coordinate and p unknown.
 /// The surface is z = h(y), a prism, or X^2 + Z^2 = (R + h(Y))^2, a surface of revolution, with h
@@ -15,11 +16,11 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "geometry/frames.hpp"
-#include "geometry/height_function.hpp"
+#include "geometry/rail_surface.hpp"
+#include "geometry/wheel_surface.hpp"
 #include "remesh/constants.hpp"
 
 namespace wrc {
@@ -35,11 +36,12 @@ struct RowOfRays {
 
 class RaySurface {
 public:
-  /// A prism without radius, else a surface of revolution. The heights must outlive the object.
-  RaySurface(const HeightFunction& heights, std::optional<double> radius, std::size_t row_length);
+  /// The surface must outlive the object.
+  RaySurface(const RailSurface& rail, std::size_t row_length);
+  RaySurface(const WheelSurface& wheel, std::size_t row_length);
 
   /// Meets all rays of a row, of which one near the middle meets the profile at `lateral`.
-  /// Returns false if some are not met.
+  /// Returns false if some are not met; of a surface that is not prismatic none is.
   bool meet(const RowOfRays& rays, double lateral);
   /// Meets no ray: all are left to be decided by single rays.
   void meet_none(std::size_t count);
@@ -47,11 +49,11 @@ public:
   [[nodiscard]] bool met(std::size_t column) const { return error_[column] <= ray_error; }
   /// p of a ray that is met.
   [[nodiscard]] double position(std::size_t column) const { return position_[column]; }
-  [[nodiscard]] std::span<const double> positions() const { return position_; }
 
 private:
   const HeightFunction& heights_;
-  std::optional<double> radius_;
+  const bool is_prismatic_;
+  std::optional<double> radius_; ///< of a surface of revolution
   std::vector<double> position_, lateral_, error_;
 };
 

@@ -1,12 +1,9 @@
 /// Where a single ray along a contact frame's normal meets the rail and the wheel; of a frame with
 /// a curve, along the normal of the ray's row.
 ///
-/// A prismatic rail is a plane curve, so its ray is solved on the profile's arc length, overhanging
-/// parts included; one that varies is met as a surface (geometry/rail_line.hpp). The wheel's ray
-/// meets its surface in the wheelset frame (geometry/wheel_line.hpp). All by Newton's method from
-/// the point met last, to 1e-12 mm. At a kink or a step steps are halved after a while, and a point
-/// within the step is accepted. Units mm; track frame, left-hand side. Thread rule: one object, one
-/// thread.
+/// Rays are the lines of geometry/rail_line.hpp in the track frame and of geometry/wheel_line.hpp
+/// in that of the wheelset: Newton's method from the point met last, to 1e-12 mm. Units mm; track
+/// frame, left-hand side. Thread rule: one object, one thread.
 #pragma once
 
 #include <optional>
@@ -26,39 +23,33 @@ struct PosedPair {
   const RailSurface& rail;
   Pose pose;
   double vertical = 0.0; ///< z of the wheelset's centre
+
+  /// As of WheelAndRail.
+  [[nodiscard]] bool is_prismatic_along(const Vector3& direction) const {
+    return wheel.is_prismatic_along(direction) && rail.is_prismatic_along(direction);
+  }
 };
 
 class RailRay {
 public:
   /// The frame must outlive the ray.
-  RailRay(const RailSurface& rail, const ContactFrame& frame);
+  RailRay(const RailSurface& rail, const ContactFrame& frame)
+      : frame_(frame), line_(rail, frame.origin.y) {}
 
   /// Start from below the frame's origin again.
-  void restart();
+  void restart() { line_.restart(); }
   /// Position along the normal at which the ray through a point of the plane meets the rail; the
   /// next ray starts from there.
   std::optional<double> solve(double longitudinal, double lateral);
-  /// Point of the rail where the last ray met it; of a rail that varies on its section there.
-  [[nodiscard]] const CurvePoint& point() const { return point_; }
   /// Tangent of the rail's angle there to the row at this position across: to its curve, or the
   /// plane.
   [[nodiscard]] double inclination(double lateral) const;
-  /// The rail's surface there, if it varies.
-  [[nodiscard]] const GraphPoint& graph() const { return line_->graph(); }
-  /// True if that point is seen from above.
-  [[nodiscard]] bool on_graph() const;
+  /// The line met last.
+  [[nodiscard]] const RailLine& line() const { return line_; }
 
 private:
-  [[nodiscard]] CurvePoint at(double arc);
-
-  const CurveGraph& graph_;
   const ContactFrame& frame_;
-  double start_ = 0.0;
-  double arc_ = 0.0;
-  double arc_of_point_ = 0.0;
-  std::size_t piece_ = 0;
-  CurvePoint point_;
-  std::optional<RailLine> line_; ///< of a rail that varies
+  RailLine line_;
 };
 
 class WheelRay {

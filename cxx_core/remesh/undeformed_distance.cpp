@@ -9,22 +9,23 @@
 namespace wrc {
 namespace {
 
-/// Rays of one element at a time where a row could not be met at once. They go outwards from the
-/// middle of the row, each from the height that its neighbour met.
+/// A row of a rail that is the same all along it has one ray. Others are met at once, and rays of
+/// one element at a time where that fails. They go outwards from the middle of the row, each from
+/// the height that its neighbour met.
 class RowSampler {
 public:
   RowSampler(const PosedPair& pair, const ContactFrame& frame, const Grid& grid,
              const RailNormals* known)
-      : pair_(pair), frame_(frame), grid_(grid), known_(known),
-        rail_constant_along_rows_(pair.rail.varying() == nullptr && frame.longitudinal.y == 0.0 &&
-                                  frame.longitudinal.z == 0.0),
+      : pair_(pair), frame_(frame), grid_(grid),
+        one_rail_ray_(pair.rail.is_prismatic_along(frame.longitudinal)),
+        rail_at_once_(pair.rail.is_prismatic_along(along_track)),
+        known_(one_rail_ray_ || !rail_at_once_ ? known : nullptr),
         middle_column_(nearest_to_zero(grid.longitudinal_first, grid.longitudinal_step,
                                        grid.longitudinal_count)),
         rail_(pair.rail, frame), wheel_(pair, frame),
-        rail_row_(pair.rail.graph().heights(), std::nullopt,
-                  rail_constant_along_rows_ ? 0 : grid.longitudinal_count),
-        wheel_row_(pair.wheel.graph().heights(), pair.wheel.radius(), grid.longitudinal_count),
-        first_height_(wheel_.height()), row_height_(first_height_) {
+        rail_row_(pair.rail, one_rail_ray_ ? 0 : grid.longitudinal_count),
+        wheel_row_(pair.wheel, grid.longitudinal_count), first_height_(wheel_.height()),
+        row_height_(first_height_) {
     longitudinal_.reserve(grid.longitudinal_count);
     for (std::size_t column = 0; column < grid.longitudinal_count; ++column) {
       longitudinal_.push_back(grid.longitudinal(column));
@@ -41,15 +42,15 @@ public:
   void sample(std::size_t row, double* values) {
     const double lateral = grid_.lateral(row);
     std::optional<double> rail_position;
-    if (rail_constant_along_rows_) {
-      rail_position = known_ != nullptr ? known_->position(row, 0) : rail_.solve(0.0, lateral);
+    if (one_rail_ray_) {
+      rail_position = rail_ray(row, 0, 0.0);
       if (!rail_position) {
         std::fill_n(values, longitudinal_.size(), no_material_distance);
         return;
       }
     }
     bool all_met = meet_wheel(lateral);
-    if (!rail_constant_along_rows_) {
+    if (!one_rail_ray_) {
       all_met = meet_rail(lateral) && all_met;
     }
     if (!all_met) {
@@ -66,6 +67,11 @@ public:
   }
 
 private:
+  std::optional<double> rail_ray(std::size_t row, std::size_t column, double longitudinal) {
+    return known_ != nullptr ? known_->position(row, column)
+                             : rail_.solve(longitudinal, grid_.lateral(row));
+  }
+
   bool meet_wheel(double lateral) {
     wheel_.start_from(row_height_);
     if (!wheel_.solve(longitudinal_[middle_column_], lateral)) {
@@ -73,28 +79,21 @@ private:
       return false;
     }
     row_height_ = wheel_.height();
-    if (pair_.wheel.varying() != nullptr) {
-      wheel_row_.meet_none(longitudinal_.size());
-      return false;
-    }
     return wheel_row_.meet({wheel_.base(0.0, lateral), wheel_.longitudinal(), wheel_.normal(),
                             longitudinal_.data(), longitudinal_.size()},
                            wheel_.lateral());
   }
 
   bool meet_rail(double lateral) {
-    if (pair_.rail.varying() != nullptr) {
-      rail_row_.meet_none(longitudinal_.size());
-      return false;
-    }
-    if (!rail_.solve(longitudinal_[middle_column_], lateral) || !rail_.on_graph()) {
+    if (!rail_at_once_ || !rail_.solve(longitudinal_[middle_column_], lateral) ||
+        !rail_.line().is_on_graph()) {
       rail_row_.meet_none(longitudinal_.size());
       return false;
     }
     return rail_row_.meet({frame_.to_track(0.0, lateral, 0.0), frame_.longitudinal,
                            frame_.row_at(lateral).normal, longitudinal_.data(),
                            longitudinal_.size()},
-                          rail_.point().lateral);
+                          rail_.line().lateral());
   }
 
   /// Height of the wheel profile where a ray of the row, which is met, meets it.
@@ -107,7 +106,6 @@ private:
   void sample_singly(std::size_t row, std::optional<double> rail_position, double* values) {
     const double lateral = grid_.lateral(row);
     // The column next to it on the side of the middle has been there before.
-    const bool rail_is_known = known_ != nullptr && pair_.rail.varying() != nullptr;
     const auto sample_element = [&](std::size_t column, std::size_t before) {
       std::optional<double> wheel_position;
       if (wheel_row_.met(column)) {
@@ -118,10 +116,9 @@ private:
         }
         wheel_position = wheel_.solve(longitudinal_[column], lateral);
       }
-      if (!rail_constant_along_rows_) {
-        rail_position = rail_is_known           ? known_->position(row, column)
-                        : rail_row_.met(column) ? std::optional(rail_row_.position(column))
-                                                : rail_.solve(longitudinal_[column], lateral);
+      if (!one_rail_ray_) {
+        rail_position = rail_row_.met(column) ? std::optional(rail_row_.position(column))
+                                              : rail_ray(row, column, longitudinal_[column]);
       }
       values[column] =
           wheel_position && rail_position ? *wheel_position - *rail_position : no_material_distance;
@@ -139,8 +136,9 @@ private:
   const PosedPair& pair_;
   const ContactFrame& frame_;
   const Grid& grid_;
+  const bool one_rail_ray_; ///< a row
+  const bool rail_at_once_; ///< rays of a row, else one by one
   const RailNormals* known_;
-  const bool rail_constant_along_rows_;
   const std::size_t middle_column_;
   RailRay rail_;
   WheelRay wheel_;
@@ -151,10 +149,12 @@ private:
   std::vector<double> longitudinal_;
 };
 
-void sample(const PosedPair& pair, const ContactFrame& frame, const Grid& grid,
-            const RailNormals* known, std::vector<double>& distance) {
-  distance.resize(grid.element_count());
-  RowSampler sampler(pair, frame, grid, known);
+} // namespace
+
+std::vector<double> sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame,
+                                               const Grid& grid, const RailNormals* rail) {
+  std::vector<double> distance(grid.element_count());
+  RowSampler sampler(pair, frame, grid, rail);
   const std::size_t middle =
       nearest_to_zero(grid.lateral_first, grid.lateral_step, grid.lateral_count);
   const auto values_of = [&](std::size_t row) {
@@ -167,26 +167,6 @@ void sample(const PosedPair& pair, const ContactFrame& frame, const Grid& grid,
   for (std::size_t row = middle; row-- > 0;) {
     sampler.sample(row, values_of(row));
   }
-}
-
-} // namespace
-
-void sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame, const Grid& grid,
-                                std::vector<double>& distance) {
-  sample(pair, frame, grid, nullptr, distance);
-}
-
-std::vector<double> sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame,
-                                               const Grid& grid) {
-  std::vector<double> distance;
-  sample(pair, frame, grid, nullptr, distance);
-  return distance;
-}
-
-std::vector<double> sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame,
-                                               const Grid& grid, const RailNormals& rail) {
-  std::vector<double> distance;
-  sample(pair, frame, grid, &rail, distance);
   return distance;
 }
 
@@ -197,7 +177,7 @@ SurfacePlace surfaces_at(const PosedPair& pair, const ContactFrame& frame, doubl
   if (const auto position = rail.solve(longitudinal, lateral)) {
     place.on_rail = true;
     place.rail = frame.to_track(longitudinal, lateral, *position);
-    place.rail_angle = std::atan2(rail.point().tangent_height, rail.point().tangent_lateral);
+    place.rail_angle = rail.line().angle();
   }
   WheelRay wheel(pair, frame);
   if (const auto position = wheel.solve(longitudinal, lateral)) {

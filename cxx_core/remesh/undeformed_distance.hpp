@@ -19,15 +19,10 @@
 
 namespace wrc {
 
-/// One value per element of the grid, in the grid's order.
+/// One value per element of the grid, in the grid's order. `rail`: its points, if they are known,
+/// those of this frame and grid.
 std::vector<double> sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame,
-                                               const Grid& grid);
-/// The same with the rail's points known: those of this frame and grid.
-std::vector<double> sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame,
-                                               const Grid& grid, const RailNormals& rail);
-/// The same, into memory that is kept from call to call.
-void sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame, const Grid& grid,
-                                std::vector<double>& distance);
+                                               const Grid& grid, const RailNormals* rail = nullptr);
 
 /// Where the ray through a point of the plane meets rail and wheel.
 struct SurfacePlace {

@@ -222,7 +222,7 @@ std::vector<double> combined_pressure(const PatchResult& whole) {
 
 std::vector<double> displacement_of(const PatchResult& patch, const WheelDetails& side) {
   std::vector<double> values(patch.grid.element_count());
-  DisplacementOperator(patch.grid, side.combined_modulus, side.elements,
+  DisplacementOperator(patch.grid, side.request.combined_modulus, side.request.elements,
                        row_angles(patch.frame, patch.grid))
       .apply(over_scales(patch.grid, patch.row_scales, patch.pressure), values);
   return over_scales(patch.grid, patch.row_scales, values);
@@ -239,7 +239,7 @@ std::vector<double> combined_distance(const PatchResult& whole, const WheelDetai
 
 std::vector<double> combined_displacement(const PatchResult& whole, const WheelDetails& side) {
   const Grid& grid = whole.grid;
-  DisplacementOperator displace(grid, side.combined_modulus, side.elements,
+  DisplacementOperator displace(grid, side.request.combined_modulus, side.request.elements,
                                 row_angles(whole.frame, grid));
   std::vector<Values> by_part;
   std::vector<Cells> rows;

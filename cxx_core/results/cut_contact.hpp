@@ -5,8 +5,9 @@
 /// ray that misses a body, or along to one beyond the end of a part whose distance is larger by
 /// more than the approach: another part lies below. Pressures at such an edge are unbounded, as
 /// under a rigid punch; those of elements grow as the elements shrink.
-/// Units mm and rad; frame of the side, left-hand (geometry/frames.hpp). Not covered: bodies of one
-/// profile, of which the first touch is looked at. Thread rule: pure functions.
+/// Units mm and rad; frame of the side, left-hand (geometry/frames.hpp). Not covered: bodies that
+/// are prismatic along the track, of which the first touch is looked at. Thread rule: pure
+/// functions.
 #pragma once
 
 #include <optional>
@@ -22,8 +23,7 @@ struct ContactCut {
   Warning warning;
 };
 
-/// Of the patches of a wheel the first cut along, else the first across; none where neither wheel
-/// nor rail varies, or none is cut.
+/// Of the patches of a wheel the first cut along, else the first across; none where none is cut.
 std::optional<ContactCut> find_cut(std::span<const PatchResult> patches, const WheelSurface& wheel,
                                    const RailSurface& rail);
 

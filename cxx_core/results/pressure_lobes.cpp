@@ -8,7 +8,7 @@
 #include "geometry/side_frame.hpp"
 #include "pressure/lobe_shares.hpp"
 #include "remesh/rail_normals.hpp"
-#include "results/wheel_result.hpp"
+#include "results/make_wheel_result.hpp"
 
 namespace wrc {
 namespace {

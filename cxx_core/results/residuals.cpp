@@ -30,7 +30,7 @@ void add_displacement_by_others(const WheelResult& side,
     }
     rectangles.push_back({patch.grid, here});
   }
-  CoupledInfluence(rectangles, *side.details.interaction, side.details.combined_modulus)
+  CoupledInfluence(rectangles, *side.details.interaction, side.details.request.combined_modulus)
       .add(pressures, displacements);
 }
 
@@ -42,8 +42,8 @@ Residuals residuals_of(const WheelResult& side) {
   for (const PatchResult* patch : patches) {
     const std::vector<double> pressure =
         over_scales(patch->grid, patch->row_scales, patch->pressure);
-    DisplacementOperator(patch->grid, side.details.combined_modulus, side.details.elements,
-                         row_angles(patch->frame, patch->grid))
+    DisplacementOperator(patch->grid, side.details.request.combined_modulus,
+                         side.details.request.elements, row_angles(patch->frame, patch->grid))
         .apply(pressure, displacements.emplace_back(pressure.size()));
   }
   if (side.details.interaction) {
@@ -59,7 +59,7 @@ Residuals residuals_of(const WheelResult& side) {
     const PatchGap gap{patch.grid, distance};
     NormalProblem problem;
     problem.patches = {&gap, 1};
-    problem.combined_modulus = side.details.combined_modulus;
+    problem.combined_modulus = side.details.request.combined_modulus;
     problem.approach = 0.0;
     const Residuals residuals =
         compute_residuals(problem, over_scales(patch.grid, patch.row_scales, patch.pressure),

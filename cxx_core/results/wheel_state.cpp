@@ -54,7 +54,7 @@ std::optional<int> wheel_state(const WheelResult& wheel, std::optional<double> y
 }
 
 void warn_of_pressure(WheelResult& wheel) {
-  if (!(wheel.pmax > hardest_steel) || wheel.details.combined_modulus > stiffest_steel) {
+  if (!(wheel.pmax > hardest_steel) || wheel.details.request.combined_modulus > stiffest_steel) {
     return;
   }
   const auto pressed = std::max_element(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/reductions.hpp"
 #include "rolling/constants.hpp"
 #include "rolling/leading_edge.hpp"
 

@@ -133,32 +133,6 @@ WRC_VECTOR_BODY void cut_body(Real* q, const Real* s, const Real* g, const Real*
   }
 }
 
-template <typename Real>
-WRC_VECTOR_BODY double dot_body(const Real* one, const Real* other, std::size_t count) {
-  double sum = 0.0;
-#pragma omp simd reduction(+ : sum)
-  for (std::size_t i = 0; i < count; ++i) {
-    sum += one[i] * other[i];
-  }
-  return sum;
-}
-
-template <typename Real>
-WRC_VECTOR_BODY void add_body(Real* to, Real factor, const Real* from, std::size_t count) {
-#pragma omp simd
-  for (std::size_t i = 0; i < count; ++i) {
-    to[i] += factor * from[i];
-  }
-}
-
-template <typename Real>
-WRC_VECTOR_BODY void scale_body(Real* to, Real factor, const Real* from, std::size_t count) {
-#pragma omp simd
-  for (std::size_t i = 0; i < count; ++i) {
-    to[i] = factor * from[i];
-  }
-}
-
 } // namespace
 
 // Both precisions of each loop: the attribute does not work on templates themselves.
@@ -188,19 +162,6 @@ WRC_VECTOR_BODY void scale_body(Real* to, Real factor, const Real* from, std::si
   WRC_VECTOR_CLONES void cut_to_bound(Real* q, const Real* s, const Real* g, const Real* edge,     \
                                       double step, std::size_t n) {                                \
     cut_body(q, s, g, edge, static_cast<Real>(1.0 / step), n);                                     \
-  }                                                                                                \
-  template <>                                                                                      \
-  WRC_VECTOR_CLONES double dot(const Real* one, const Real* other, std::size_t count) {            \
-    return dot_body(one, other, count);                                                            \
-  }                                                                                                \
-  template <>                                                                                      \
-  WRC_VECTOR_CLONES void add_scaled(Real* to, double factor, const Real* from,                     \
-                                    std::size_t count) {                                           \
-    add_body(to, static_cast<Real>(factor), from, count);                                          \
-  }                                                                                                \
-  template <>                                                                                      \
-  WRC_VECTOR_CLONES void scale_to(Real* to, double factor, const Real* from, std::size_t count) {  \
-    scale_body(to, static_cast<Real>(factor), from, count);                                        \
   }
 
 TRACTION_LOOPS(float)

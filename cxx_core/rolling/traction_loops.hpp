@@ -63,11 +63,4 @@ void cut_to_bound(Real* q, const Real* s, const Real* g, const Real* edge, doubl
 /// out += what edges add to displacements under z.
 template <typename Real> void add_edges(const Real* edge, const Real* z, Real* out, std::size_t n);
 
-template <typename Real> double dot(const Real* one, const Real* other, std::size_t count);
-/// to += factor from.
-template <typename Real>
-void add_scaled(Real* to, double factor, const Real* from, std::size_t count);
-template <typename Real>
-void scale_to(Real* to, double factor, const Real* from, std::size_t count);
-
 } // namespace wrc

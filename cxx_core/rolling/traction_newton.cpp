@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/reductions.hpp"
 #include "rolling/constants.hpp"
 
 namespace wrc {

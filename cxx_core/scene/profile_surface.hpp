@@ -1,7 +1,7 @@
 /// What programs show of a profile that varies along the track or around the wheel: lines of a
 /// summary, and points of its surface.
 ///
-/// Frame and units of varying_rail.hpp and varying_wheel.hpp: mm, along mm or, of a wheel, rad.
+/// Frame and units of geometry/sliced_surface.hpp: mm, along mm or, of a wheel, rad.
 /// Thread rule: immutable after construction, safe to share.
 #pragma once
 

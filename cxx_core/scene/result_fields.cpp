@@ -81,29 +81,10 @@ Values displacement(const WheelDetails& side, const PatchResult& patch) {
   return displacement_of(patch, side);
 }
 
-/// The rail at the wheelset; of one that varies the sections of all its parts there, from the
-/// track's middle outwards.
-std::vector<Curve> rail_sections(const RailSurface& rail) {
-  if (rail.varying() == nullptr) {
-    return {rail.graph().curve()};
-  }
-  std::vector<Curve> sections;
-  for (const SurfaceSheet& sheet : rail.varying()->sheets()) {
-    if (sheet.holds(rail.along())) {
-      sections.push_back(
-          sheet.section(rail.along()).moved(rail.angle(), rail.origin_y(), rail.origin_z()));
-    }
-  }
-  std::sort(sections.begin(), sections.end(), [](const Curve& one, const Curve& other) {
-    return one.at(0.0).lateral < other.at(0.0).lateral;
-  });
-  return sections;
-}
-
-/// The rail's outline at the nodes of its curves.
+/// The rail's outline at the wheelset, at the nodes of the curves of its parts.
 template <class Coordinate> Values rail_outline(const WheelResult& side, Coordinate&& coordinate) {
   Values values;
-  for (const Curve& curve : rail_sections(*side.details.rail)) {
+  for (const Curve& curve : side.details.rail->sections()) {
     for (const double arc : curve.starts()) {
       values.push_back(coordinate(curve.at(arc)));
     }
@@ -115,11 +96,14 @@ template <class Coordinate> Values rail_outline(const WheelResult& side, Coordin
 template <class Coordinate> Values wheel_outline(const WheelResult& side, Coordinate&& coordinate) {
   Values values;
   const WheelDetails& details = side.details;
-  const Rotation rotation(details.pose);
+  const LocusPose pose(details.pose);
   const Curve& curve = details.wheel->graph().curve();
   for (const double arc : curve.starts()) {
-    if (const auto locus = details.wheel->locus(curve.at(arc), details.pose, rotation)) {
-      values.push_back(coordinate(locus->position));
+    const CurvePoint point = curve.at(arc);
+    bool exists = false;
+    const LocusAngle angle = pose.angle_at(point.slope(), exists);
+    if (exists) {
+      values.push_back(coordinate(details.wheel->locus(point, angle, pose).position));
     }
   }
   return values;

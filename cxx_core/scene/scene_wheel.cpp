@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "derivatives/force_jacobian.hpp"
-#include "derivatives/wheel_sensitivities.hpp"
+#include "derivatives/wheel_rates.hpp"
 #include "results/residuals.hpp"
 
 namespace wrc {
@@ -16,7 +16,7 @@ const Residuals& SceneWheel::residuals() {
 
 const WheelRates* SceneWheel::sensitivities() {
   if (!sensitivities_) {
-    sensitivities_.emplace(sensitivities_of(*this));
+    sensitivities_.emplace(wheel_rates_of(*this));
   }
   return *sensitivities_ ? &**sensitivities_ : nullptr;
 }

@@ -21,7 +21,7 @@ struct SceneWheel : WheelResult {
 
   /// results/residuals.hpp.
   const Residuals& residuals();
-  /// derivatives/wheel_sensitivities.hpp; null if there are none.
+  /// derivatives/wheel_rates.hpp; null if there are none.
   const WheelRates* sensitivities();
   /// derivatives/force_jacobian.hpp; null if there is none.
   const ForceJacobian* jacobian();

@@ -9,12 +9,12 @@
 #include "creep/free_pitch.hpp"
 #include "creep/total_force.hpp"
 #include "results/contact_damage.hpp"
-#include "results/wheel_result.hpp"
+#include "results/make_wheel_result.hpp"
 #include "results/wheel_state.hpp"
 #include "scene/model_choice.hpp"
 #include "scene/surface_cache.hpp"
 #include "scene/total_load.hpp"
-#include "wheel/wheel_solution.hpp"
+#include "wheel/solve_wheel.hpp"
 
 namespace wrc {
 namespace {
@@ -86,22 +86,6 @@ CreepRequest creep_request_of(const Scene& scene, const SceneSide& side) {
   return request;
 }
 
-/// The displacement of one patch by another is interpolated; boxes nearly in touch spoil that.
-void warn_of_residuals(SceneWheel& wheel, double accuracy) {
-  if (!wheel.details.interaction || wheel.patches.empty()) {
-    return;
-  }
-  const Residuals& residuals = wheel.residuals();
-  const double worst = std::max(-residuals.least_gap, residuals.complementarity);
-  if (worst > accuracy) {
-    wheel.warnings.push_back(
-        {WarningClass::close_patches,
-         "patches almost touch: the displacement that they cause in each other is off by " +
-             short_text_of(worst) + " of the largest displacement, more than the accuracy of " +
-             text_of(accuracy)});
-  }
-}
-
 /// One wheel of a scene.
 struct WheelTask {
   const Scene& scene;
@@ -121,8 +105,8 @@ struct WheelTask {
   }
 
   /// Replaces a result under another load, whose cost counts, too.
-  void complete(WheelSolution solution, const SideEquilibrium& equilibrium, StageMilliseconds& time,
-                std::optional<SceneWheel>& wheel) const {
+  void take(WheelSolution solution, const SideEquilibrium& equilibrium, StageMilliseconds& time,
+            std::optional<SceneWheel>& wheel) const {
     time.remesh += 1e3 * solution.times.remesh;
     time.mechanics += 1e3 * solution.times.mechanics;
     WheelResult result =
@@ -138,12 +122,6 @@ struct WheelTask {
   }
 };
 
-void warn_of_saturation(const Scene& scene, WheelResult& wheel) {
-  wheel.warnings.push_back({WarningClass::torque_exceeded,
-                            "motion.torque = " + text_of(scene.torque) +
-                                " N mm: more than friction can transmit; the wheels slide"});
-}
-
 /// Wheels whose normal contact is solved and that have creep forces.
 std::vector<DrivenWheel> driven_wheels(const Scene& scene, SceneResult& result) {
   std::vector<DrivenWheel> wheels;
@@ -158,10 +136,8 @@ std::vector<DrivenWheel> driven_wheels(const Scene& scene, SceneResult& result) 
 }
 
 /// With derivatives by positions, if they are requested.
-void solve_creep_forces_of(const DrivenWheel& driven, RollingSolver& solver, SceneResult& result) {
-  SceneWheel& wheel = driven.wheel->details.mirror > 0.0 ? *result.left : *result.right;
-  solve_creep_forces(wheel, driven.request, solver,
-                     driven.request.derivatives ? wheel.sensitivities() : nullptr);
+void solve_creep_forces_of(SceneWheel& wheel, const CreepRequest& request, RollingSolver& solver) {
+  solve_creep_forces(wheel, request, solver, request.derivatives ? wheel.sensitivities() : nullptr);
 }
 
 /// Creep forces under the loads of now, of those wheels that these are new to.
@@ -187,39 +163,79 @@ void solve_creep_forces_of(const Scene& scene, const WheelLoads& loads, RollingS
         driven.request.motion->pitch = result.pitch;
       }
       driven.request.derivatives = scene.derivatives && !loads.are_sought();
-      if (loads.is_open(driven.wheel->details.mirror > 0.0 ? 0 : 1)) {
-        solve_creep_forces_of(driven, solver, result);
+      const bool left = driven.wheel->details.mirror > 0.0;
+      if (loads.is_open(left ? 0 : 1)) {
+        solve_creep_forces_of(left ? *result.left : *result.right, driven.request, solver);
       }
     }
   }
   result.time.rolling += watch.milliseconds();
 }
 
-/// Derivatives that the search for loads or a pitch rate has left out, and warnings.
-void complete_creep_forces(const Scene& scene, const WheelLoads& loads, RollingSolver& solver,
-                           SceneResult& result) {
-  const Stopwatch watch;
-  std::vector<DrivenWheel> wheels = driven_wheels(scene, result);
-  for (DrivenWheel& driven : wheels) {
-    const bool moving = driven.request.motion.has_value();
-    if (moving) {
-      driven.request.motion->pitch = result.pitch;
-    }
-    if (scene.derivatives && (loads.are_sought() || (moving && scene.pitch_is_free))) {
-      solve_creep_forces_of(driven, solver, result);
-    }
-    warn_of_creep_forces(*driven.wheel, driven.request);
-    if (result.pitch_is_saturated) {
-      warn_of_saturation(scene, *driven.wheel);
-    }
-    if (result.pitch_is_ambiguous) {
-      driven.wheel->warnings.push_back(
-          {WarningClass::torque_ambiguous,
-           "friction falls with slip: another pitch rate, with more slip, also balances the "
-           "torque; this is the one with the least slip"});
-    }
+/// The displacement of one patch by another is interpolated; boxes nearly in touch spoil that.
+void warn_of_residuals(SceneWheel& wheel, double accuracy) {
+  if (!wheel.details.interaction || wheel.patches.empty()) {
+    return;
   }
-  result.time.rolling += wheels.empty() ? 0.0 : watch.milliseconds();
+  const Residuals& residuals = wheel.residuals();
+  const double worst = std::max(-residuals.least_gap, residuals.complementarity);
+  if (worst > accuracy) {
+    wheel.warnings.push_back(
+        {WarningClass::close_patches,
+         "patches almost touch: the displacement that they cause in each other is off by " +
+             short_text_of(worst) + " of the largest displacement, more than the accuracy of " +
+             text_of(accuracy)});
+  }
+}
+
+void warn_of_pitch(const Scene& scene, const SceneResult& result, WheelResult& wheel) {
+  if (result.pitch_is_saturated) {
+    wheel.warnings.push_back({WarningClass::torque_exceeded,
+                              "motion.torque = " + text_of(scene.torque) +
+                                  " N mm: more than friction can transmit; the wheels slide"});
+  }
+  if (result.pitch_is_ambiguous) {
+    wheel.warnings.push_back(
+        {WarningClass::torque_ambiguous,
+         "friction falls with slip: another pitch rate, with more slip, also balances the "
+         "torque; this is the one with the least slip"});
+  }
+}
+
+/// What a wheel's result lacks once its load and the pitch rate are found: make_wheel_result and
+/// solve_creep_forces have filled in the rest. Each act reads what those before it have written.
+void complete_wheel(const Scene& scene, const WheelLoads& loads, RollingSolver& solver,
+                    SceneResult& result, SceneWheel& wheel) {
+  warn_of_residuals(wheel, scene.accuracy);
+  if (!wheel.solved) {
+    return;
+  }
+  CreepRequest creep =
+      creep_request_of(scene, wheel.details.mirror > 0.0 ? scene.left : scene.right);
+  if (creep.model != CreepModel::none) {
+    const Stopwatch watch;
+    if (creep.motion) {
+      creep.motion->pitch = result.pitch;
+    }
+    // Left out while loads or a pitch rate were searched.
+    if (creep.derivatives && (loads.are_sought() || (creep.motion && scene.pitch_is_free))) {
+      solve_creep_forces_of(wheel, creep, solver);
+    }
+    warn_of_creep_forces(wheel, creep);
+    warn_of_pitch(scene, result, wheel);
+    result.time.rolling += watch.milliseconds();
+  }
+  const Stopwatch watch;
+  wheel.total = total_force(wheel);
+  add_up_forces(wheel);
+  wheel.state = wheel_state(wheel, scene.yield_pressure);
+  warn_of_pressure(wheel);
+  if (scene.damage.any()) {
+    DamageRequest request = scene.damage;
+    request.poisson = (request.of_wheel ? scene.wheel_material : scene.rail_material).poisson;
+    find_damage(wheel, request);
+    result.time.damage += watch.milliseconds();
+  }
 }
 
 /// With noisy profiles: what their spread needs, should it be requested.
@@ -300,11 +316,11 @@ void SceneSolver::State::solve_wheels(const Scene& scene, const SceneSurfaces& s
                        [&] { return right_task.solve(*equilibrium.right, loads.load(1), *right); });
   }
   if (loads.is_open(0)) {
-    left_task.complete(left_task.solve(*equilibrium.left, loads.load(0), *left), *equilibrium.left,
-                       result.time, result.left);
+    left_task.take(left_task.solve(*equilibrium.left, loads.load(0), *left), *equilibrium.left,
+                   result.time, result.left);
   }
   if (loads.is_open(1)) {
-    right_task.complete(other.get(), *equilibrium.right, result.time, result.right);
+    right_task.take(other.get(), *equilibrium.right, result.time, result.right);
   }
 }
 
@@ -321,56 +337,19 @@ void SceneSolver::State::solve_contact(const Scene& scene, const SceneSurfaces& 
   } while (loads.any_open());
   for (std::optional<SceneWheel>* wheel : {&result.left, &result.right}) {
     if (*wheel) {
-      warn_of_residuals(**wheel, scene.accuracy);
+      complete_wheel(scene, loads, *rolling, result, **wheel);
     }
   }
-  complete_creep_forces(scene, loads, *rolling, result);
-  const Stopwatch damage;
-  for (std::optional<SceneWheel>* wheel : {&result.left, &result.right}) {
-    if (*wheel && (*wheel)->solved) {
-      (*wheel)->total = total_force(**wheel);
-      add_up_forces(**wheel);
-      (*wheel)->state = wheel_state(**wheel, scene.yield_pressure);
-      warn_of_pressure(**wheel);
-      if (scene.damage.any()) {
-        DamageRequest request = scene.damage;
-        request.poisson = (request.of_wheel ? scene.wheel_material : scene.rail_material).poisson;
-        find_damage(**wheel, request);
-      }
-    }
-  }
-  result.time.damage = scene.damage.any() ? damage.milliseconds() : 0.0;
   if (result.left && result.right) {
     result.rolling_radius_difference =
         result.left->rigid_contact.rolling_radius - result.right->rigid_contact.rolling_radius;
   }
 }
 
-namespace {
-
-/// Throws for what is not covered where a rail or a wheel varies.
-void check_varying(const Scene& scene, const ModelChoice& model) {
-  const std::string where = "allowed where a rail or a wheel varies is ";
-  if (model.approximate) {
-    throw_invalid_argument("solve.model", model.name, where + "\"half-space\"");
-  }
-  if (scene.gap == GapConvention::vertical) {
-    throw_invalid_argument("solve.gap", "\"vertical\"", where + "\"tangent\"");
-  }
-  if (scene.history) {
-    throw_invalid_argument("history", "given", where + "none: creep forces are steady rolling");
-  }
-}
-
-} // namespace
-
 SceneResult SceneSolver::State::solve(const Scene& scene) {
   const Stopwatch total;
   SceneResult result;
   const ModelChoice model = choose_model(scene);
-  if (varies(scene)) {
-    check_varying(scene, model);
-  }
   const SceneSurfaces surfaces = shared->surfaces.get(scene);
   prepare_solvers(scene);
   result.unused_keys = UnusedKeys(scene);

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/stopwatch.hpp"
 #include "geometry/along_check.hpp"
+#include "geometry/constants.hpp"
 #include "measured/readers.hpp"
 #include "measured/sliced_profile_reader.hpp"
 
@@ -77,19 +78,22 @@ Profile profile_of(const SlicedProfile& sliced) {
 }
 
 std::shared_ptr<const RailSurface> surface_of(const SlicedProfile& sliced,
-                                              const SurfaceSource<TrackDimensions>& source) {
-  return std::make_shared<const RailSurface>(
-      std::make_shared<const VaryingRail>(sliced, source.profile.smoothing_along),
-      profile_of(sliced), source.dimensions);
+                                              const SurfaceSource<TrackDimensions>& source,
+                                              Warnings& warnings) {
+  auto slices = sliced_rail(sliced, source.profile.smoothing_along);
+  warnings = warnings_of(check_along(sliced, slices->sheets()), ProfileKind::rail);
+  return std::make_shared<const RailSurface>(std::move(slices), sliced.slices.front().curve,
+                                             source.dimensions);
 }
 
 std::shared_ptr<const WheelSurface> surface_of(const SlicedProfile& sliced,
-                                               const SurfaceSource<WheelsetDimensions>& source) {
-  return std::make_shared<const WheelSurface>(
-      std::make_shared<const VaryingWheel>(sliced, source.dimensions.radius,
-                                           source.profile.harmonics,
-                                           source.profile.smoothing_along),
-      source.dimensions, 0.0);
+                                               const SurfaceSource<WheelsetDimensions>& source,
+                                               Warnings& warnings) {
+  const double radius = source.dimensions.radius;
+  auto slices =
+      sliced_wheel(sliced, radius, source.profile.harmonics, source.profile.smoothing_along);
+  warnings = warnings_of(check_along(sliced, slices->sheets(), {"mm", radius}), ProfileKind::wheel);
+  return std::make_shared<const WheelSurface>(std::move(slices), source.dimensions, 0.0);
 }
 
 std::shared_ptr<const RailSurface> surface_of(const Profile& profile,
@@ -102,14 +106,15 @@ std::shared_ptr<const WheelSurface> surface_of(const Profile& profile,
   if (source.profile.harmonics.empty()) {
     return std::make_shared<const WheelSurface>(profile, source.dimensions);
   }
-  return std::make_shared<const WheelSurface>(
-      std::make_shared<const VaryingWheel>(profile.curve.without_steps(), source.dimensions.radius,
-                                           source.profile.harmonics),
-      source.dimensions, 0.0);
+  return std::make_shared<const WheelSurface>(sliced_wheel(profile.curve.without_steps(),
+                                                           source.dimensions.radius,
+                                                           source.profile.harmonics),
+                                              source.dimensions, 0.0);
 }
 
 /// Throws for what slices cannot be read with.
-void check_slices(const ProfileChoice& choice, ProfileKind kind, const std::string& key) {
+void check_slices(const ProfileChoice& choice, const ProfilePlacement& placement, ProfileKind kind,
+                  const std::string& key) {
   const char last = choice.name.back();
   if ((last == 's' || last == 'S') != (kind == ProfileKind::rail)) {
     throw_invalid_argument(key, choice.name,
@@ -118,27 +123,25 @@ void check_slices(const ProfileChoice& choice, ProfileKind kind, const std::stri
                                : "these are slices of a rail; allowed are those of a wheel, .slcw");
   }
   const std::string allowed = "not allowed with slices, whose place their list gives";
-  if (choice.origin != WheelOrigin::by_file) {
+  if (placement.origin != WheelOrigin::by_file) {
     throw_invalid_argument("wheelset.profile_origin",
-                           choice.origin == WheelOrigin::tape ? "\"tape\"" : "\"flange-back\"",
+                           placement.origin == WheelOrigin::tape ? "\"tape\"" : "\"flange-back\"",
                            allowed);
   }
-  if (choice.shift != 0.0) {
-    throw_invalid_argument("wheelset.profile_shift", choice.shift, allowed);
+  if (placement.lateral_shift != 0.0) {
+    throw_invalid_argument("wheelset.profile_shift", placement.lateral_shift, allowed);
   }
-  if (choice.rotation) {
-    throw_invalid_argument("wheelset.profile_rotation", *choice.rotation, allowed);
+  if (placement.rotation) {
+    throw_invalid_argument("wheelset.profile_rotation", *placement.rotation, allowed);
   }
-  if (!choice.align_to.empty()) {
-    throw_invalid_argument("wheelset.align_to", choice.align_to, allowed);
+  if (!placement.align_to.empty()) {
+    throw_invalid_argument("wheelset.align_to", placement.align_to, allowed);
   }
 }
 
-/// Shortest and steepest waves of a wheel that the search for contacts finds.
-/// origin: measured: waves of 9.6 mm are found, those of 8.3 mm are not all; contact on a steeper
-/// slope is beyond its reach (geometry/varying_search.hpp).
+/// Shortest waves of a wheel that the search for contacts finds, mm.
+/// origin: measured: waves of 9.6 mm are found, those of 8.3 mm are not all.
 constexpr double shortest_wave = 12.0;
-constexpr double steepest_wave = 0.2;
 
 void check_waves(const std::vector<RadiusHarmonic>& waves, double radius) {
   for (const RadiusHarmonic& wave : waves) {
@@ -149,10 +152,10 @@ void check_waves(const std::vector<RadiusHarmonic>& waves, double radius) {
                                  short_text_of(length) + " mm");
     }
     if (const double slope = std::abs(wave.amplitude) * wave.order / radius;
-        !(slope <= steepest_wave)) {
+        !(slope <= steepest_along)) {
       throw_invalid_argument("amplitude in wheelset.harmonics", wave.amplitude,
                              "slopes of order times amplitude over radius up to " +
-                                 short_text_of(steepest_wave) + ", here " + short_text_of(slope));
+                                 short_text_of(steepest_along) + ", here " + short_text_of(slope));
     }
   }
 }
@@ -163,7 +166,7 @@ std::shared_ptr<const Surface>
 surface_of_slices(const SurfaceSource<Dimensions>& source, ProfileKind kind, const std::string& key,
                   std::vector<std::string>& corrections, Warnings& warnings) {
   const std::string& name = source.profile.name;
-  check_slices(source.profile, kind, key);
+  check_slices(source.profile, source.placement, kind, key);
   ReadOptions options;
   options.kind = kind;
   options.smoothing_wavelength = source.profile.smoothing.value_or(automatic_smoothing);
@@ -176,11 +179,7 @@ surface_of_slices(const SurfaceSource<Dimensions>& source, ProfileKind kind, con
     if (has_equal_slices(sliced)) {
       return surface_of(profile_of(sliced), source);
     }
-    std::shared_ptr<const Surface> surface = surface_of(sliced, source);
-    warnings = warnings_of(
-        check_along(sliced, surface->varying()->sheets(), {"mm", radius_of(source.dimensions)}),
-        kind);
-    return surface;
+    return surface_of(sliced, source, warnings);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::file_unreadable) {
       throw Error(error.code(), key + " = \"" + name + "\": " + error.what());
@@ -211,12 +210,7 @@ Profile load_profile(const SurfaceSource<Dimensions>& source, ProfileKind kind,
   ReadOptions options;
   options.kind = kind;
   options.smoothing_wavelength = choice.smoothing.value_or(automatic_smoothing);
-  options.origin = choice.origin;
-  options.rotation = choice.rotation;
-  options.align_to = choice.align_to;
-  if (choice.shift != 0.0) {
-    options.lateral_shift = choice.shift;
-  }
+  static_cast<ProfilePlacement&>(options) = source.placement;
   set_tape_offset(options, source.dimensions);
   return read_file(choice, options, kind, key, corrections);
 }
@@ -285,29 +279,19 @@ SceneSurfaces SurfaceCache::get(const Scene& scene) {
     };
     const bool is_solved = scene.side == SideChoice::both || scene.side == which;
     SideSurfaces found;
-    ProfileChoice wheel = side.wheel;
-    wheel.origin = scene.profile_origin;
-    wheel.shift = scene.profile_shift;
-    wheel.rotation = scene.profile_rotation;
-    wheel.align_to = scene.align_to;
-    found.wheel = get_one(wheels_, {wheel, {scene.back_to_back, scene.tape_offset, side.radius}},
-                          ProfileKind::wheel, key(&SceneSide::wheel, "wheelset.", "wheel"), which,
-                          is_solved, found.likely_wheels, surfaces);
+    found.wheel = get_one(
+        wheels_,
+        {side.wheel, {scene.back_to_back, scene.tape_offset, side.radius}, scene.wheel_placement},
+        ProfileKind::wheel, key(&SceneSide::wheel, "wheelset.", "wheel"), which, is_solved,
+        found.likely_wheels, surfaces);
     found.rail = get_one(rails_, {side.rail, scene.track}, ProfileKind::rail,
                          key(&SceneSide::rail, "track.", "rail"), which, is_solved,
                          found.likely_rails, surfaces);
-    if (found.rail->varying() != nullptr) {
-      if (is_solved || !scene.roll) { // without a roll both wheels are needed
-        found.rail->refuse_beyond_slices(scene.along);
-      }
-      found.rail =
-          std::make_shared<const RailSurface>(found.rail->posed(displacement, scene.along));
-    } else if (displacement != RailDisplacement{}) {
-      found.rail = std::make_shared<const RailSurface>(found.rail->displaced(displacement));
+    if (is_solved || !scene.roll) { // without a roll both wheels are needed
+      found.rail->refuse_beyond_slices(scene.along);
     }
-    if (found.wheel->varying() != nullptr) {
-      found.wheel = std::make_shared<const WheelSurface>(found.wheel->turned(scene.pitch));
-    }
+    found.rail = posed(found.rail, displacement, scene.along);
+    found.wheel = turned(found.wheel, scene.pitch);
     return found;
   };
   surfaces.left =

@@ -42,6 +42,7 @@ struct SceneSurfaces {
 template <class Dimensions> struct SurfaceSource {
   ProfileChoice profile;
   Dimensions dimensions;
+  ProfilePlacement placement{};
 
   bool operator==(const SurfaceSource&) const = default;
 };

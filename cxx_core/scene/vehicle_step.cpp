@@ -121,6 +121,11 @@ void check_history(const Scene& scene, double time_step) {
   if (scene.pitch_is_free) {
     throw_invalid_argument("motion.pitch", "free", "allowed with a history is a number");
   }
+  if (!is_prismatic(scene)) {
+    throw_invalid_argument(
+        "history", "given",
+        "allowed where a rail or a wheel varies is none: creep forces are steady rolling");
+  }
   const double difference =
       shear_constants(scene.wheel_material, scene.rail_material).difference_parameter;
   if (difference != 0.0) {
@@ -151,7 +156,7 @@ Scene scene_at(const Scene& scene, const VehicleState& state) {
   };
   set_six(state.position,
           {nullptr, "pose.lateral", "pose.vertical", "pose.roll", nullptr, "pose.yaw"});
-  if (varies(posed)) {
+  if (!is_prismatic(posed)) {
     set_number(posed, "pose.longitudinal", state.position[0]);
     set_number(posed, "pose.pitch", state.position[4]);
   }
@@ -213,7 +218,7 @@ std::array<WheelForces, 2> wheel_forces(SceneResult& result, const Convention& c
 void add_varying_columns(const Scene& posed, SceneSolver& solver,
                          std::array<WheelForces, 2>& forces) {
   struct Column {
-    bool varies;
+    bool is_constant;
     double Scene::*place;
     std::size_t index; ///< of positions
     double step;
@@ -221,9 +226,10 @@ void add_varying_columns(const Scene& posed, SceneSolver& solver,
   };
   const double along = to_caller(difference_step, posed.convention, length);
   const double turn = difference_step / posed.nominal_radius();
-  for (const Column& column : {Column{rails_vary(posed), &Scene::along, 0, difference_step, along},
-                               Column{wheels_vary(posed), &Scene::pitch, 4, turn, turn}}) {
-    if (!column.varies) {
+  for (const Column& column :
+       {Column{has_prismatic_rails(posed), &Scene::along, 0, difference_step, along},
+        Column{has_round_wheels(posed), &Scene::pitch, 4, turn, turn}}) {
+    if (column.is_constant) {
       continue;
     }
     Scene moved = posed;

@@ -75,7 +75,7 @@ void check_scene_of_table(const Scene& scene) {
     throw_invalid_argument("solve.model", model.name,
                            "allowed in a table are \"auto\" and \"half-space\"");
   }
-  if (varies(scene)) {
+  if (!is_prismatic(scene)) {
     throw_invalid_argument("profiles", "a slices file, or harmonics",
                            "in a table rails do not vary along the track, nor wheels around their "
                            "circumference");

@@ -22,10 +22,16 @@ public:
   ApproximateWheel(const WheelSurface& wheel, const RailSurface& rail,
                    const SideEquilibrium& equilibrium, const WheelRequest& request,
                    ApproximateModel model)
-      : wheel_(wheel), rail_(rail), equilibrium_(equilibrium), request_(request), model_(model),
-        strips_(wheel, rail, equilibrium.pose), side_{equilibrium.scan, strips_,
-                                                      equilibrium.vertical,
-                                                      request.combined_modulus} {}
+      : wheel_(wheel), rail_(rail), equilibrium_(equilibrium), request_(request), model_(model) {
+    result_.request = request;
+    result_.request.elements = Elements::constant; // models give pressures at points
+    for (const ContactScan* scan : equilibrium.scans()) {
+      scans_.push_back({*scan,
+                        {wheel, rail, equilibrium.pose, scan->samples},
+                        equilibrium.vertical,
+                        request.combined_modulus});
+    }
+  }
 
   WheelSolution solve();
 
@@ -45,8 +51,7 @@ private:
   const SideEquilibrium& equilibrium_;
   const WheelRequest& request_;
   ApproximateModel model_;
-  ContactStrips strips_;
-  ModelWheel side_;
+  std::vector<ModelWheel> scans_;
   double depth_ = 0.0;
   GridSolution planned_;
   std::vector<std::unique_ptr<PatchModel>> models_;
@@ -61,7 +66,7 @@ double ApproximateWheel::first_depth() const {
     return 0.0;
   }
   const ContactCandidate& touch = equilibrium_.scan.candidates.front();
-  const auto strip = strips_.at(touch.wheel.lateral);
+  const auto strip = scans_.front().strips.at(touch.wheel.lateral);
   if (strip && strip->lateral_curvature > min_curvature_share * strip->longitudinal_curvature) {
     const double cosine = std::cos(touch.rail_angle);
     const double normal_load = request_.load() / (request_.normal_load ? 1.0 : cosine);
@@ -85,9 +90,10 @@ void ApproximateWheel::find_patches(double depth) {
             request_.element_limit);
   models_.clear();
   for (const Patch& patch : planned_.patches) {
+    const ModelWheel& scan = scans_[patch.penetration.scan];
     models_.push_back(model_ == ApproximateModel::hertz
-                          ? make_hertz_patch(side_, patch.penetration)
-                          : make_kik_piotrowski_patch(side_, patch.penetration, patch.frame));
+                          ? make_hertz_patch(scan, patch.penetration)
+                          : make_kik_piotrowski_patch(scan, patch.penetration, patch.frame));
   }
   for (std::size_t k = 0; k < models_.size(); ++k) {
     planned_.patches[k].frame = models_[k]->frame();
@@ -225,8 +231,6 @@ WheelSolution ApproximateWheel::solve() {
   settle_depth();
   result_.depth = depth_;
   result_.vertical = equilibrium_.vertical - depth_;
-  result_.combined_modulus = request_.combined_modulus;
-  result_.gap = request_.gap;
   if (!request_.position_is_prescribed()) {
     result_.load = request_.load();
   }

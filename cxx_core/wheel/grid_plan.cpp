@@ -207,7 +207,7 @@ GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equili
   GridSolution solution;
   solution.elements = request.elements;
   solution.depth = depth;
-  ContactPatches found = find_contact_patches(equilibrium.scans(), depth, request.joining_distance);
+  ContactPatches found = find_contact_patches(equilibrium.scans(), depth, request);
   if (request.gap == GapConvention::vertical) {
     found = in_one_plane(found, solution.left_out_s);
   }

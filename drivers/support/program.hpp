@@ -1,71 +1,83 @@
-/// What every driver's main function does: options, then the work, and failures in one line.
+/// A command-line program: its options, its help, and failures in one line.
+///
+/// Options write into variables of the program, which must live until run() returns. program.cpp is
+/// the only file that sees CLI11: a file that does takes seconds longer to compile.
 #pragma once
 
-#include <algorithm>
-#include <csignal>
-#include <exception>
-#include <filesystem>
-#include <iostream>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
-#include "support/output_file.hpp"
-#include "support/scene.hpp"
+namespace CLI {
+class App;
+class Option;
+} // namespace CLI
 
 namespace driver {
 
-/// The exit code, or 1 with a line on stderr if what was printed could not be written.
-inline int printed(const std::string& program, int code) {
-  std::cout.flush();
-  if (std::cout) {
-    return code;
-  }
-  std::cerr << program << ": cannot write to the standard output: " << is_disk_full << '\n';
-  return 1;
-}
+/// What else a program says about an option. Copies are of the same option.
+class Option {
+public:
+  explicit Option(CLI::Option* option) : option_(option) {}
 
-/// The arguments, the last first as CLI11 takes them, with --set before each of several assignments
-/// that follow one. What contains = and is no file is an assignment.
-inline std::vector<std::string> arguments_of(int argc, char** argv) {
-  std::vector<std::string> arguments;
-  for (int i = 1; i < argc; ++i) {
-    const std::string text = argv[i];
-    std::error_code is_no_name; // an assignment may be longer than any file's name
-    const bool follows = arguments.size() > 1 && arguments.end()[-2] == "--set";
-    if (follows && !text.starts_with('-') && text.find('=') != std::string::npos &&
-        !std::filesystem::exists(text, is_no_name)) {
-      arguments.emplace_back("--set");
-    }
-    arguments.push_back(text);
-  }
-  std::reverse(arguments.begin(), arguments.end());
-  return arguments;
-}
+  /// The word that stands for the value in the help.
+  Option& type(const std::string& word);
+  /// The help shows the value that the variable has now.
+  Option& show_default();
+  Option& required();
+  /// Of a list: the option's name comes before each value, not before several.
+  Option& one_value_each();
 
-/// Parses the options and does the work. Exit codes: that of the work; 1 if it throws, or if its
-/// output is lost; 2 for wrong options. Failures are one line on stderr that starts with the
-/// program's name. A file that reaches a limit of its size is such a failure, not a signal.
-template <class Work> int run_program(CLI::App& app, int argc, char** argv, Work work) {
-  std::signal(SIGXFSZ, SIG_IGN);
-  try {
-    app.set_version_flag("--version", std::string("wrcontact ") + wrc_version());
-    app.parse(arguments_of(argc, argv));
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {
-      return printed(app.get_name(), app.exit(error));
-    }
-    std::cerr << app.get_name() << ": " << error.what() << " (see " << app.get_name()
-              << " --help)\n";
-    return 2;
-  }
-  try {
-    return printed(app.get_name(), work());
-  } catch (const std::exception& error) {
-    std::cerr << app.get_name() << ": " << one_line(error.what()) << '\n';
-    return 1;
-  }
-}
+  Option& within(int least, int greatest);
+  Option& within(double least, double greatest);
+  Option& positive();
+  Option& not_negative();
+  Option& one_of(const std::vector<std::string>& words);
+  Option& existing_folder();
+  /// `why_not` of a text is empty, or says why the text is refused.
+  Option& check(const std::function<std::string(const std::string&)>& why_not);
+
+  Option& excludes(const Option& other);
+  Option& needs(const Option& other);
+
+private:
+  CLI::Option* option_;
+};
+
+class Program {
+public:
+  Program(const std::string& name, const std::string& purpose);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  /// An option with a value, "--name", or an argument without a name of its own, "NAME". A value is
+  /// a number, a text or a list of texts: program.cpp lists the types.
+  template <class Value>
+  Option add(const std::string& name, Value& value, const std::string& meaning);
+  /// An option that is there or not.
+  Option flag(const std::string& name, bool& value, const std::string& meaning);
+  /// The heading in the help of the options that follow.
+  void group(const std::string& heading);
+  /// What the help says below the options.
+  void footer(const std::string& text);
+
+  /// Whether an option was given.
+  [[nodiscard]] bool has(const std::string& name) const;
+
+  /// Parses the options and does the work. Exit codes: that of the work; 1 if it throws, or if its
+  /// output is lost; 2 for wrong options. Failures are one line on stderr that starts with the
+  /// program's name. A file that reaches a limit of its size is such a failure, not a signal.
+  /// After --set any number of assignments may follow.
+  int run(int argc, char** argv, const std::function<int()>& work);
+
+private:
+  std::unique_ptr<CLI::App> app_;
+};
+
+/// The number that a text is, read as those of options are.
+std::optional<double> number_in(const std::string& text);
 
 } // namespace driver

@@ -249,6 +249,14 @@ void apply_scene_text(Scene& scene, const std::string& path, const std::string& 
   apply_table(scene, path, parse_toml(scene_file, path, text));
 }
 
+Assignment split_assignment(const std::string& assignment) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw Failure("--set " + assignment + ": allowed is key=value");
+  }
+  return {assignment.substr(0, equals), assignment.substr(equals + 1)};
+}
+
 void apply_assignments(Scene& scene, const std::vector<std::string>& assignments) {
   Values values;
   for (const std::string& text : assignments) {

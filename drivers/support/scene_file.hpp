@@ -47,6 +47,15 @@ void refuse_varying(const Scene& scene, const std::string& what);
 /// varies.
 Profile load_profile(const Scene& scene, std::int32_t kind, const std::string& name);
 
+/// "key=value" taken apart; throws Failure if there is no key.
+struct Assignment {
+  std::string key;
+  std::string value;
+  /// Texts in quotes, lists and tables are TOML, the rest stands for itself.
+  [[nodiscard]] bool is_toml() const { return value.find_first_of("\"'[{") == 0; }
+};
+Assignment split_assignment(const std::string& assignment);
+
 /// Sets a scene from a file, from the text of one, or from assignments "key=value", in which texts
 /// need no quotes. Keys are applied in the library's order, the general before the special
 /// (load.vertical before load.left). Profile files named in a scene file are looked up beside it.

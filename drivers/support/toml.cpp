@@ -140,14 +140,6 @@ void flatten(const toml::table& table, const std::string& prefix, Values& values
   }
 }
 
-Assignment split_assignment(const std::string& assignment) {
-  const auto equals = assignment.find('=');
-  if (equals == std::string::npos || equals == 0) {
-    throw Failure("--set " + assignment + ": allowed is key=value");
-  }
-  return {assignment.substr(0, equals), assignment.substr(equals + 1)};
-}
-
 const toml::node* TableReader::find(const char* key, bool (*is)(const toml::node&),
                                     const char* allowed) {
   asked_.emplace_back(key);

@@ -39,15 +39,6 @@ std::string name_within(const std::string& prefix, const toml::key& key);
 /// Adds the values of a table and of those within it, by names with points between.
 void flatten(const toml::table& table, const std::string& prefix, Values& values);
 
-/// "key=value" taken apart; throws Failure if there is no key.
-struct Assignment {
-  std::string key;
-  std::string value;
-  /// Texts in quotes, lists and tables are TOML, the rest stands for itself.
-  [[nodiscard]] bool is_toml() const { return value.find_first_of("\"'[{") == 0; }
-};
-Assignment split_assignment(const std::string& assignment);
-
 /// Reads one table; every key has to be asked for, so that a wrong one is refused. All throw
 /// Failure naming table, key, value and what is allowed.
 class TableReader {

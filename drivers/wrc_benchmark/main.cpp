@@ -3,6 +3,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "support/json.hpp"
 #include "support/program.hpp"
 #include "support/scene.hpp"
 #include "wrc_benchmark/measure.hpp"
@@ -193,52 +194,50 @@ int run(const Options& options) {
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
+  driver::Program app(
+      "wrc_benchmark",
       "Times the contact solver and whole wheel/rail scenes, shows the true error beside each\n"
       "time, and compares the default method with the paper's (Polonsky & Keer 1999). Uses one\n"
       "thread, except in batch. Times of one run may be compared with each other. To compare\n"
-      "machines, use ratios, or times in transforms of the same size (pairs).",
-      "wrc_benchmark");
+      "machines, use ratios, or times in transforms of the same size (pairs).");
   Options options;
   std::string case_list = "case to run, may be repeated; default: all except service:";
   for (const Case& known : all_cases()) {
     case_list += "\n" + known.description.name + ": " + known.description.meaning;
   }
-  app.add_option("--case", options.cases, case_list)->type_name("NAME")->allow_extra_args(false);
-  app.add_option(
-         "--grid", options.grid,
-         "elements across x along the rail (default 256x128), or \"all\": 32x16 to 4096x2048, "
-         "for hertz-circle and two-lobes if no case is given; vehicle-step, batch, rolling and "
-         "service choose their own")
-      ->type_name("NxM");
-  app.add_option(
-         "--accuracy", options.plan.accuracy,
-         "requested error: of all pressures relative to pmax (default 1e-4); with vehicle-step of "
-         "pmax, with service of forces and of pressures (default 1e-2 and 1e-3)")
-      ->type_name("EPS")
-      ->check(CLI::Range(1e-9, 0.1));
-  app.add_option("--method", options.method,
-                 "method to time; default: both, but paper only up to 1024x512")
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"default", "paper"}));
-  app.add_option("--repeat", options.plan.repeat,
-                 "warm solutions per row (default 15; fewer if they take more than 1.5 s)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000));
-  app.add_option("--steps", options.plan.steps,
-                 "steps of vehicle-step (default 200: one wave) and of service (default 2000)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100000));
-  app.add_flag("--creep", options.plan.creep,
-               "with --case service: add rows with creep forces, of small creepages and of the "
-               "motion of the run");
-  app.add_flag("--json", options.json, "print one JSON object instead of the tables");
-  app.add_flag(
+  app.add("--case", options.cases, case_list).type("NAME").one_value_each();
+  app.add("--grid", options.grid,
+          "elements across x along the rail (default 256x128), or \"all\": 32x16 to 4096x2048, "
+          "for hertz-circle and two-lobes if no case is given; vehicle-step, batch, rolling and "
+          "service choose their own")
+      .type("NxM");
+  app.add("--accuracy", options.plan.accuracy,
+          "requested error: of all pressures relative to pmax (default 1e-4); with vehicle-step of "
+          "pmax, with service of forces and of pressures (default 1e-2 and 1e-3)")
+      .type("EPS")
+      .within(1e-9, 0.1);
+  app.add("--method", options.method,
+          "method to time; default: both, but paper only up to 1024x512")
+      .type("NAME")
+      .one_of({"default", "paper"});
+  app.add("--repeat", options.plan.repeat,
+          "warm solutions per row (default 15; fewer if they take more than 1.5 s)")
+      .type("N")
+      .within(1, 1000);
+  app.add("--steps", options.plan.steps,
+          "steps of vehicle-step (default 200: one wave) and of service (default 2000)")
+      .type("N")
+      .within(1, 100000);
+  app.flag("--creep", options.plan.creep,
+           "with --case service: add rows with creep forces, of small creepages and of the "
+           "motion of the run");
+  app.flag("--json", options.json, "print one JSON object instead of the tables");
+  app.flag(
       "--first-solve", options.first_solve,
       "solve one --case on one --grid once, with --accuracy as the solver's tolerance, and print "
       "times and memory as JSON; the benchmark runs itself this way for cold-process");
-  app.add_flag("--both-wheels", options.both_wheels,
-               "with --first-solve --case table1: solve both wheels");
+  app.flag("--both-wheels", options.both_wheels,
+           "with --first-solve --case table1: solve both wheels");
   app.footer(
       "\nExamples:\n"
       "  wrc_benchmark                                  everything at 256x128, under a "
@@ -248,5 +247,5 @@ int main(int argc, char** argv) {
       "  wrc_benchmark --case two-lobes --accuracy 1e-6 --json\n"
       "  wrc_benchmark --case service --steps 300       the cost of a step in a realistic run\n"
       "docs/evidence/performance.md and docs/evidence/service.md explain the columns.");
-  return driver::run_program(app, argc, argv, [&] { return run(options); });
+  return app.run(argc, argv, [&] { return run(options); });
 }

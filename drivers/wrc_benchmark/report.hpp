@@ -4,7 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "support/json.hpp"
+#include <nlohmann/json_fwd.hpp>
+
 #include "wrc_benchmark/motion_cases.hpp"
 #include "wrc_benchmark/problem.hpp"
 #include "wrc_benchmark/rolling_case.hpp"
@@ -18,7 +19,7 @@ struct Report {
   std::optional<Batch> batch; ///< its rows are among those above
 };
 
-driver::json json_of(const Report& report);
+nlohmann::json json_of(const Report& report);
 void print_tables(const Report& report);
 
 } // namespace benchmark

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "support/json.hpp"
 #include "support/numbers.hpp"
 #include "support/text_table.hpp"
 #include "wrc_benchmark/yardstick.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "support/json.hpp"
+#include <nlohmann/json_fwd.hpp>
 
 namespace benchmark {
 
@@ -33,7 +33,7 @@ struct RollingRow {
 /// the full theory, on 8 x 4 to 256 x 128 elements.
 std::vector<RollingRow> measure_rolling(int repeat);
 
-driver::json json_of(const RollingRow& row);
+nlohmann::json json_of(const RollingRow& row);
 void print_rolling(const std::vector<RollingRow>& rows);
 
 } // namespace benchmark

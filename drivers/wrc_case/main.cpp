@@ -1,11 +1,11 @@
 // wrc_case: solves one scene and prints, writes or draws what came out.
 #include <iostream>
 
+#include "reports/scene_picture.hpp"
 #include "support/gnuplot.hpp"
 #include "support/output_file.hpp"
 #include "support/program.hpp"
 #include "support/scene_file.hpp"
-#include "support/toml.hpp"
 #include "wrc_case/reports.hpp"
 
 namespace {
@@ -70,37 +70,31 @@ std::vector<std::filesystem::path> inputs_of(const driver::Scene& scene,
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(purpose, "wrc_case");
+  driver::Program app("wrc_case", purpose);
   std::string scene_file;
   std::vector<std::string> assignments;
   bool json = false;
   bool csv = false;
   std::string vtk, plot, field, creep_field, stress, save;
-  app.add_option("SCENE", scene_file, "scene file in TOML; every key is optional");
-  app.add_option(
-         "--set", assignments,
-         "set one or more keys of the scene, such as pose.lateral=5 track.rail=CHN60; may be "
-         "repeated. Words need no quotes, lists are [a,b]")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  app.add_flag("--json", json, "print one JSON object instead of the table");
-  app.add_flag("--csv", csv, "print CSV, one line per side, instead of the table");
-  app.add_option("--vtk", vtk, "write the fields of all patches as legacy VTK, for ParaView")
-      ->type_name("FILE");
-  app.add_option("--plot", plot, "draw profiles, patches, pressures and tractions")
-      ->type_name("FILE.png|svg");
-  app.add_option("--field", field, "write the fields of all patches as CSV, one line per element")
-      ->type_name("FILE.csv");
-  app.add_option("--creep-field", creep_field,
-                 "write tractions and slips as CSV, one line per element")
-      ->type_name("FILE.csv");
-  app.add_option("--stress", stress,
-                 "write sections of the stresses below the surface as legacy VTK")
-      ->type_name("FILE.vtk");
-  app.add_option("--save", save, "write all keys of the scene, to solve it again")
-      ->type_name("FILE.toml");
+  app.add("SCENE", scene_file, "scene file in TOML; every key is optional");
+  app.add("--set", assignments,
+          "set one or more keys of the scene, such as pose.lateral=5 track.rail=CHN60; may be "
+          "repeated. Words need no quotes, lists are [a,b]")
+      .type("KEY=VALUE")
+      .one_value_each();
+  app.flag("--json", json, "print one JSON object instead of the table");
+  app.flag("--csv", csv, "print CSV, one line per side, instead of the table");
+  app.add("--vtk", vtk, "write the fields of all patches as legacy VTK, for ParaView").type("FILE");
+  app.add("--plot", plot, "draw profiles, patches, pressures and tractions").type("FILE.png|svg");
+  app.add("--field", field, "write the fields of all patches as CSV, one line per element")
+      .type("FILE.csv");
+  app.add("--creep-field", creep_field, "write tractions and slips as CSV, one line per element")
+      .type("FILE.csv");
+  app.add("--stress", stress, "write sections of the stresses below the surface as legacy VTK")
+      .type("FILE.vtk");
+  app.add("--save", save, "write all keys of the scene, to solve it again").type("FILE.toml");
   app.footer("\n" + keys_text() + driver::standard_names_text() + examples);
-  return driver::run_program(app, argc, argv, [&] {
+  return app.run(argc, argv, [&] {
     if (json && csv) {
       throw driver::Failure("--json --csv: allowed is one of them");
     }
@@ -115,7 +109,7 @@ int main(int argc, char** argv) {
     }
     // Numbers for programs are in the requested units and frame ...
     if (json) {
-      driver::print_json(driver::json_of(scene), std::cout);
+      driver::print_json(scene, std::cout);
     } else if (csv) {
       driver::print_csv(scene, std::cout);
     }

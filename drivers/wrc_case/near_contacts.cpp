@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/patches.hpp"
 #include "support/numbers.hpp"
 #include "wrc_case/reports.hpp"
 

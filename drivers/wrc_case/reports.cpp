@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include "reports/patches.hpp"
 #include "support/csv_table.hpp"
 #include "support/json.hpp"
 #include "support/numbers.hpp"
@@ -271,25 +272,6 @@ void add_solution(const Scene& scene, SideTable& table) {
 
 } // namespace
 
-std::vector<PatchName> patches_of(const Scene& scene, const std::string& side) {
-  std::vector<PatchName> patches;
-  const int count = scene.count_of(side + ".patches");
-  for (int i = 0; i < count; ++i) {
-    patches.push_back({side, i, side + ".patches." + std::to_string(i) + '.'});
-  }
-  return patches;
-}
-
-std::vector<PatchName> all_patches(const Scene& scene) {
-  std::vector<PatchName> patches;
-  for (const std::string& side : sides_of(scene)) {
-    for (PatchName& patch : patches_of(scene, side)) {
-      patches.push_back(std::move(patch));
-    }
-  }
-  return patches;
-}
-
 void print_table(const Scene& scene, std::ostream& out) {
   out << "Wheelset: roll " << fixed(1e3 * scene.number("roll"), 6) << " mrad, first touch at "
       << fixed(scene.number("vertical"), 4) << " mm above the rail tops";
@@ -332,7 +314,7 @@ void print_table(const Scene& scene, std::ostream& out) {
   out << '\n';
 }
 
-json json_of(const Scene& scene) {
+void print_json(const Scene& scene, std::ostream& out) {
   // Names such as left.patches.0.pmax become objects and lists. Derivatives, as in force.y.by.yaw,
   // are beside their result, which is a number: in the object "y.by".
   json flat = json::object();
@@ -360,7 +342,7 @@ json json_of(const Scene& scene) {
     }
     object[side].emplace("error_estimate", nullptr);
   }
-  return object;
+  print_json(object, out);
 }
 
 void print_csv(const Scene& scene, std::ostream& out) {
@@ -421,24 +403,6 @@ void write_fields(const Scene& scene, const std::vector<PatchName>& patches, con
 
 void write_field(const Scene& scene, const std::filesystem::path& path) {
   write_fields(scene, all_patches(scene), element_fields, path);
-}
-
-std::vector<PatchName> parts_with(const Scene& scene, const std::vector<PatchName>& patches,
-                                  const std::string& result) {
-  std::vector<PatchName> found;
-  for (const PatchName& patch : patches) {
-    const int parts = scene.count_of(patch.prefix + "parts");
-    for (int i = 0; i < std::max(parts, 1); ++i) {
-      PatchName one = patch;
-      if (parts > 0) {
-        one.prefix += "parts." + std::to_string(i) + '.';
-      }
-      if (scene.has_number(one.prefix + result)) {
-        found.push_back(one);
-      }
-    }
-  }
-  return found;
 }
 
 void write_creep_field(const Scene& scene, const std::filesystem::path& path) {

@@ -1,10 +1,9 @@
-// Sections of stresses below the surface: as VTK, and in the picture.
+// Sections of stresses below the surface, as VTK.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "support/gnuplot.hpp"
-#include "support/numbers.hpp"
+#include "reports/patches.hpp"
 #include "wrc_case/reports.hpp"
 #include "wrc_case/vtk_file.hpp"
 
@@ -54,43 +53,6 @@ void write_stress_vtk(const Scene& scene, const std::filesystem::path& path) {
     file.add(names[k], values[k]);
   }
   file.commit();
-}
-
-void plot_stress(Gnuplot& gnuplot, const Scene& scene, const std::string& side) {
-  std::ostream& out = gnuplot.script();
-  const auto patches = parts_with(scene, patches_of(scene, side), stress_result);
-  // That of the greatest stress.
-  const PatchName& patch =
-      *std::max_element(patches.begin(), patches.end(), [&](const auto& one, const auto& other) {
-        return scene.number(one.prefix + stress_result) <
-               scene.number(other.prefix + stress_result);
-      });
-  const std::vector<double> places = scene.field(patch.prefix + "stress_place");
-  const std::vector<double> depths = scene.field(patch.prefix + "stress_depth");
-  const std::vector<double> stress = scene.field(patch.prefix + "stress_von_mises");
-  std::ostringstream data;
-  data.precision(9);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (i > 0 && depths[i] != depths[i - 1]) {
-      data << '\n';
-    }
-    data << places[i] << ' ' << depths[i] << ' ' << stress[i] << '\n';
-  }
-  const bool across = scene.get_text("stress.section") == "across";
-  const double greatest = scene.number(patch.prefix + stress_result);
-  const double depth = scene.number(patch.prefix + "stress.depth");
-  const double place = scene.number(patch.prefix + (across ? "stress.across" : "stress.along"));
-  const std::string block = gnuplot.block(data.str());
-  out << "set size noratio\nset rmargin " << colour_box_margin << "\nset title '" << side
-      << " wheel, in the " << scene.get_text("stress.body") << ": von Mises " << fixed(greatest, 0)
-      << " MPa, " << fixed(depth, 2) << " mm below the surface'\nset xlabel '"
-      << (across ? "across the patch, mm (to the field side)" : "along the patch, mm (forward)")
-      << "'\nset ylabel 'depth, mm'\nset cblabel 'von Mises stress, MPa' offset 1\n"
-      << "set xrange [" << places.front() << ':' << places.back() << "]\nset yrange ["
-      << depths.back() << ":0]\nset cbrange [0:" << greatest << "]\nset key off\n";
-  gnuplot.plot({block + " using 1:2:3 with image",
-                gnuplot.block({place}, {depth}) + " with points pt 2 ps 1.5 lw 2 lc rgb 'black'"});
-  out << "set rmargin -1\n";
 }
 
 } // namespace driver

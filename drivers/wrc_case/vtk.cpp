@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "reports/patches.hpp"
 #include "wrc_case/vtk_file.hpp"
 
 namespace driver {

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <numbers>
 
+#include "reports/profile_picture.hpp"
 #include "support/output_file.hpp"
 #include "support/program.hpp"
 #include "support/scene.hpp"
@@ -63,17 +64,17 @@ Profile load_file(const std::string& argument, const std::string& path,
 }
 
 double smoothing_from(const std::string& word) {
-  double length = 0.0;
   if (word.empty()) {
     return 0.0; // not stated
   }
   if (word == "auto") {
     return WRC_SMOOTHING_AUTO;
   }
-  return CLI::detail::lexical_cast(word, length) && length > 0.0 ? length : WRC_SMOOTHING_NONE;
+  const double length = number_in(word).value_or(0.0);
+  return length > 0.0 ? length : WRC_SMOOTHING_NONE;
 }
 
-wrc_read_options options_from(const CLI::App& app, const Arguments& arguments) {
+wrc_read_options options_from(const Program& app, const Arguments& arguments) {
   const auto choice = [](const std::string& word) {
     return word.empty() ? 0 : word == "yes" ? 1 : -1;
   };
@@ -90,21 +91,21 @@ wrc_read_options options_from(const CLI::App& app, const Arguments& arguments) {
                    : arguments.origin == "tape" ? WRC_ORIGIN_TAPE
                                                 : WRC_ORIGIN_FLANGE_BACK;
   options.slice = arguments.slice;
-  options.tape_offset = app.count("--tape-offset") > 0 ? arguments.tape_offset : 0.0;
+  options.tape_offset = app.has("--tape-offset") ? arguments.tape_offset : 0.0;
   options.lateral_shift = arguments.shift;
-  options.rotation_given = app.count("--rotate") > 0 ? 1 : 0;
+  options.rotation_given = app.has("--rotate") ? 1 : 0;
   options.rotation = arguments.rotation * std::numbers::pi / 180.0;
   options.align_to = arguments.align_to.c_str();
   return options;
 }
 
-Profile load_asked(const CLI::App& app, const Arguments& arguments) {
+Profile load_asked(const Program& app, const Arguments& arguments) {
   if (!is_standard(arguments.name)) {
     return load_file("NAME|FILE", arguments.name, options_from(app, arguments));
   }
   for (const char* option : {"--kind", "--mirror-lateral", "--mirror-height", "--scale", "--smooth",
                              "--strict", "--origin", "--shift", "--rotate", "--align", "--slice"}) {
-    if (app.count(option) > 0) {
+    if (app.has(option)) {
       throw Failure(std::string(option) + ": allowed only with a file; " + arguments.name +
                     " is built in and exact");
     }
@@ -129,10 +130,10 @@ std::string lower_extension(const std::string& name) {
 }
 
 /// All slices of a file, as a surface.
-int run_surface(const CLI::App& app, const Arguments& arguments) {
+int run_surface(const Program& app, const Arguments& arguments) {
   for (const char* option : {"--points", "--compare", "--convert", "--tape-offset", "--strict",
                              "--origin", "--shift", "--rotate", "--align"}) {
-    if (app.count(option) > 0) {
+    if (app.has(option)) {
       throw Failure(std::string(option) + ": allowed with one slice of " + arguments.name +
                     " (--slice N)");
     }
@@ -176,115 +177,99 @@ Conversion convert(const Profile& profile, const std::string& path, double spaci
   return {path, spacing, compare(profile, load_file("--convert", path, options))};
 }
 
-CLI::Validator positive_number() {
-  return {[](const std::string& text) {
-            double value = 0.0;
-            const bool allowed =
-                CLI::detail::lexical_cast(text, value) && value > 0.0 && std::isfinite(value);
-            return allowed ? std::string() : text + " given, allowed is a positive number";
-          },
-          ""};
+std::string unless_positive(const std::string& text) {
+  const std::optional<double> value = number_in(text);
+  return value && *value > 0.0 && std::isfinite(*value)
+             ? ""
+             : text + " given, allowed is a positive number";
 }
 
-CLI::Validator smoothing_word() {
-  return {[](const std::string& text) {
-            double value = 0.0;
-            const bool allowed = text == "auto" || (CLI::detail::lexical_cast(text, value) &&
-                                                    value >= 0.0 && std::isfinite(value));
-            return allowed ? std::string()
-                           : text + " given, allowed is auto or a number of mm, not negative";
-          },
-          ""};
+std::string unless_smoothing(const std::string& text) {
+  const std::optional<double> value = number_in(text);
+  return text == "auto" || (value && *value >= 0.0 && std::isfinite(*value))
+             ? ""
+             : text + " given, allowed is auto or a number of mm, not negative";
 }
 
-void add_reading_options(CLI::App& app, Arguments& arguments) {
-  const CLI::Validator positive = positive_number();
-  const CLI::IsMember yes_or_no({"yes", "no"});
-  app.option_defaults()->group("How to read a file");
-  app.add_option("--kind", arguments.kind, "wheel or rail; default: from the file")
-      ->type_name("KIND")
-      ->check(CLI::IsMember({"wheel", "rail"}));
-  app.add_option("--mirror-lateral", arguments.mirror_lateral,
-                 "mirror lateral values: yes or no; default: from the shape")
-      ->type_name("YES|NO")
-      ->check(yes_or_no);
-  app.add_option("--mirror-height", arguments.mirror_height,
-                 "mirror heights: yes or no; default: from the shape")
-      ->type_name("YES|NO")
-      ->check(yes_or_no);
-  app.add_option("--scale", arguments.scale, "mm per unit of the file; default: from the size")
-      ->type_name("MM")
-      ->check(positive);
-  app.add_option(
-         "--smooth", arguments.smoothing,
-         "smooth: waves of this length in mm are halved, shorter ones vanish; 0: none; auto: as "
-         "the noise of the points needs, which is the default and refused with --strict if "
-         "there is noise")
-      ->type_name("MM|auto")
-      ->check(smoothing_word());
-  app.add_option("--origin", arguments.origin,
-                 "position of lateral 0 of a wheel: tape or flange-back; default: from the file")
-      ->type_name("PLACE")
-      ->check(CLI::IsMember({"tape", "flange-back"}));
-  app.add_option("--shift", arguments.shift,
-                 "instead of --origin: shift added to lateral, so that the taping line is at 0")
-      ->type_name("MM")
-      ->check(CLI::Range(-500.0, 500.0));
-  app.add_option("--rotate", arguments.rotation,
-                 "turn by this angle, anticlockwise in the picture, about the taping line or the "
-                 "rail's origin; 0: as measured, without a search for a tilt")
-      ->type_name("DEGREES")
-      ->check(CLI::Range(-25.0, 25.0));
-  app.add_option(
-         "--align", arguments.align_to,
-         "move and turn the points so that they lie on this profile where they are not worn")
-      ->type_name("NAME|FILE");
-  app.add_option(
-         "--slice", arguments.slice,
-         "number of a profile, from 1, in a slices file (.slcs, .slcw) or a project file of "
-         "MiniProf; without it all slices are shown as a surface, a project file is listed")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber);
-  app.add_option(
-         "--smooth-along", arguments.smoothing_along,
-         "of all slices: waves of this length along the track, mm, or around the wheel, rad, are "
-         "halved; 0: the surface passes through the slices; default: as the file says")
-      ->type_name("LENGTH")
-      ->check(CLI::NonNegativeNumber);
-  app.add_flag("--strict", arguments.strict,
-               "refuse a file that needs a guess or causes a warning");
+void add_reading_options(Program& app, Arguments& arguments) {
+  app.group("How to read a file");
+  app.add("--kind", arguments.kind, "wheel or rail; default: from the file")
+      .type("KIND")
+      .one_of({"wheel", "rail"});
+  app.add("--mirror-lateral", arguments.mirror_lateral,
+          "mirror lateral values: yes or no; default: from the shape")
+      .type("YES|NO")
+      .one_of({"yes", "no"});
+  app.add("--mirror-height", arguments.mirror_height,
+          "mirror heights: yes or no; default: from the shape")
+      .type("YES|NO")
+      .one_of({"yes", "no"});
+  app.add("--scale", arguments.scale, "mm per unit of the file; default: from the size")
+      .type("MM")
+      .check(unless_positive);
+  app.add("--smooth", arguments.smoothing,
+          "smooth: waves of this length in mm are halved, shorter ones vanish; 0: none; auto: as "
+          "the noise of the points needs, which is the default and refused with --strict if "
+          "there is noise")
+      .type("MM|auto")
+      .check(unless_smoothing);
+  app.add("--origin", arguments.origin,
+          "position of lateral 0 of a wheel: tape or flange-back; default: from the file")
+      .type("PLACE")
+      .one_of({"tape", "flange-back"});
+  app.add("--shift", arguments.shift,
+          "instead of --origin: shift added to lateral, so that the taping line is at 0")
+      .type("MM")
+      .within(-500.0, 500.0);
+  app.add("--rotate", arguments.rotation,
+          "turn by this angle, anticlockwise in the picture, about the taping line or the "
+          "rail's origin; 0: as measured, without a search for a tilt")
+      .type("DEGREES")
+      .within(-25.0, 25.0);
+  app.add("--align", arguments.align_to,
+          "move and turn the points so that they lie on this profile where they are not worn")
+      .type("NAME|FILE");
+  app.add("--slice", arguments.slice,
+          "number of a profile, from 1, in a slices file (.slcs, .slcw) or a project file of "
+          "MiniProf; without it all slices are shown as a surface, a project file is listed")
+      .type("N")
+      .positive();
+  app.add("--smooth-along", arguments.smoothing_along,
+          "of all slices: waves of this length along the track, mm, or around the wheel, rad, are "
+          "halved; 0: the surface passes through the slices; default: as the file says")
+      .type("LENGTH")
+      .not_negative();
+  app.flag("--strict", arguments.strict, "refuse a file that needs a guess or causes a warning");
 }
 
-void add_options(CLI::App& app, Arguments& arguments) {
-  const CLI::Validator positive = positive_number();
-  app.add_option("PROFILE", arguments.name, "built-in name or file")->type_name("NAME|FILE");
-  app.option_defaults()->group("What to show");
-  app.add_flag("--list", arguments.list, "list the built-in profiles");
-  app.add_flag("--points", arguments.points,
-               "add points of the curve: arc, lateral, height, angle, curvature");
-  app.add_option("--compare", arguments.compare,
-                 "compare with another profile in the same frame: normal distance, area between "
-                 "both, differences of dimensions; --plot draws the distance over the curve")
-      ->type_name("NAME|FILE");
-  app.add_option("--tape-offset", arguments.tape_offset, "flange back to taping line of a wheel")
-      ->type_name("MM")
-      ->capture_default_str()
-      ->check(positive);
-  app.add_flag("--json", arguments.json, "print one JSON object instead of the table");
-  app.option_defaults()->group("What to write");
-  app.add_option("--plot", arguments.plot, "draw the profile to scale and its curvature")
-      ->type_name("FILE.png|svg");
-  app.add_option("--convert", arguments.convert,
-                 "write the profile: Simpack for the extensions .prr (rail) and .prw (wheel), "
-                 "otherwise two columns")
-      ->type_name("OUT.txt|prr|prw");
-  app.add_option("--spacing", arguments.spacing,
-                 "arc length between points, for --convert and --points")
-      ->type_name("MM")
-      ->capture_default_str()
-      ->check(positive);
+void add_options(Program& app, Arguments& arguments) {
+  app.add("PROFILE", arguments.name, "built-in name or file").type("NAME|FILE");
+  app.group("What to show");
+  app.flag("--list", arguments.list, "list the built-in profiles");
+  app.flag("--points", arguments.points,
+           "add points of the curve: arc, lateral, height, angle, curvature");
+  app.add("--compare", arguments.compare,
+          "compare with another profile in the same frame: normal distance, area between "
+          "both, differences of dimensions; --plot draws the distance over the curve")
+      .type("NAME|FILE");
+  app.add("--tape-offset", arguments.tape_offset, "flange back to taping line of a wheel")
+      .type("MM")
+      .show_default()
+      .check(unless_positive);
+  app.flag("--json", arguments.json, "print one JSON object instead of the table");
+  app.group("What to write");
+  app.add("--plot", arguments.plot, "draw the profile to scale and its curvature")
+      .type("FILE.png|svg");
+  app.add("--convert", arguments.convert,
+          "write the profile: Simpack for the extensions .prr (rail) and .prw (wheel), "
+          "otherwise two columns")
+      .type("OUT.txt|prr|prw");
+  app.add("--spacing", arguments.spacing, "arc length between points, for --convert and --points")
+      .type("MM")
+      .show_default()
+      .check(unless_positive);
   add_reading_options(app, arguments);
-  app.option_defaults()->group("Options");
+  app.group("Options");
   app.footer(
       "\nProfiles are in mm: lateral from the taping line (wheel) or the axis (rail), positive to\n"
       "the field side; height of a wheel towards larger radius, of a rail upwards. Each\n"
@@ -309,7 +294,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
       "      points, angles and curvature for a script\n");
 }
 
-int run(const CLI::App& app, const Arguments& arguments) {
+int run(const Program& app, const Arguments& arguments) {
   if (arguments.list) {
     print_list(arguments.json, std::cout);
     return 0;
@@ -323,7 +308,7 @@ int run(const CLI::App& app, const Arguments& arguments) {
   if (is_slices_file(arguments.name) && arguments.slice == 0) {
     return run_surface(app, arguments);
   }
-  if (app.count("--smooth-along") > 0) {
+  if (app.has("--smooth-along")) {
     throw Failure("--smooth-along: allowed with all slices of a .slcs or .slcw file");
   }
   Profile profile = load_asked(app, arguments);
@@ -342,9 +327,8 @@ int run(const CLI::App& app, const Arguments& arguments) {
   if (arguments.points) {
     const double least_spacing = measures.length / most_points;
     if (arguments.spacing < least_spacing) {
-      throw Failure("--spacing " + CLI::detail::to_string(arguments.spacing) +
-                    ": allowed with --points is " + CLI::detail::to_string(least_spacing) +
-                    " mm or more for this profile");
+      throw Failure("--spacing " + general(arguments.spacing) + ": allowed with --points is " +
+                    general(least_spacing) + " mm or more for this profile");
     }
     report.points = equal_points(report.profile, arguments.spacing);
     if (other) {
@@ -355,7 +339,7 @@ int run(const CLI::App& app, const Arguments& arguments) {
     draw_profile(report.profile, measures, other ? &*other : nullptr, arguments.plot);
   }
   if (arguments.json) {
-    print_json(json_of(report), std::cout);
+    print_json(report, std::cout);
   } else {
     print_table(report, std::cout);
   }
@@ -365,8 +349,8 @@ int run(const CLI::App& app, const Arguments& arguments) {
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Shows, checks, converts and draws a wheel or rail profile.", "wrc_profile");
+  Program app("wrc_profile", "Shows, checks, converts and draws a wheel or rail profile.");
   Arguments arguments;
   add_options(app, arguments);
-  return driver::run_program(app, argc, argv, [&] { return run(app, arguments); });
+  return app.run(argc, argv, [&] { return run(app, arguments); });
 }

@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <numbers>
 
+#include "support/json.hpp"
 #include "support/numbers.hpp"
 #include "support/scene.hpp"
 #include "support/text_table.hpp"
@@ -192,7 +193,7 @@ void print_table(const ProfileReport& report, std::ostream& out) {
   }
 }
 
-json json_of(const ProfileReport& report) {
+void print_json(const ProfileReport& report, std::ostream& out) {
   const Measures& measures = report.measures;
   json object;
   for (const char* text : {"name", "title", "source", "confidence"}) {
@@ -228,7 +229,7 @@ json json_of(const ProfileReport& report) {
       }
     }
   }
-  return object;
+  print_json(object, out);
 }
 
 void print_list(bool as_json, std::ostream& out) {

@@ -6,8 +6,7 @@
 #include <ostream>
 #include <string>
 
-#include "support/json.hpp"
-#include "wrc_profile/measures.hpp"
+#include "reports/profile_measures.hpp"
 
 namespace driver {
 
@@ -32,14 +31,9 @@ struct ProfileReport {
 /// A table for people.
 void print_table(const ProfileReport& report, std::ostream& out);
 /// One object; absent quantities are null.
-json json_of(const ProfileReport& report);
+void print_json(const ProfileReport& report, std::ostream& out);
 /// The built-in profiles, a line or an object each.
 void print_list(bool as_json, std::ostream& out);
-
-/// Draws a .png or .svg file; `other` may be null, or a profile to draw beneath, and the distance
-/// to it instead of the curvature.
-void draw_profile(const Profile& profile, const Measures& measures, const Profile* other,
-                  const std::filesystem::path& path);
 
 /// What the slices of a file make, in lines or as an object.
 void print_surface(const Profile& profile, bool as_json, std::ostream& out);

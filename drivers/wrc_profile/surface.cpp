@@ -2,6 +2,7 @@
 #include <sstream>
 
 #include "support/gnuplot.hpp"
+#include "support/json.hpp"
 #include "support/numbers.hpp"
 #include "support/scene.hpp"
 #include "wrc_profile/reports.hpp"

@@ -6,17 +6,16 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "reports/profile_picture.hpp"
+#include "reports/scene_picture.hpp"
+#include "reports/warning_summary.hpp"
 #include "support/gnuplot.hpp"
 #include "support/html.hpp"
 #include "support/numbers.hpp"
 #include "support/output_file.hpp"
 #include "support/program.hpp"
 #include "support/scene_file.hpp"
-#include "support/toml.hpp"
-#include "wrc_case/reports.hpp"
-#include "wrc_profile/reports.hpp"
 #include "wrc_report/pair.hpp"
-#include "wrc_sweep/warning_summary.hpp"
 
 namespace driver {
 namespace {
@@ -343,34 +342,28 @@ std::string report(const Options& options) {
 
 int main(int argc, char** argv) {
   using namespace driver;
-  CLI::App app(
+  Program app(
+      "wrc_report",
       "Makes one page about a wheel on a rail, to be opened in a browser or sent to others: "
       "dimensions, equivalent conicity, pressures and contact band over the lateral "
-      "position, warnings. It loads no other file.",
-      "wrc_report");
+      "position, warnings. It loads no other file.");
   Options options;
-  app.add_option("WHEEL", options.wheel, "wheel, built-in name or file")
-      ->type_name("NAME|FILE")
-      ->required();
-  app.add_option("RAIL", options.rail, "rail, built-in name or file")
-      ->type_name("NAME|FILE")
-      ->required();
-  app.add_option("--page", options.page, "the page to write")
-      ->type_name("FILE.html")
-      ->capture_default_str();
-  app.add_option("--threads", options.threads, "number of threads; results do not depend on it")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  app.add_option("--set", options.assignments,
-                 "set a key of all scenes, such as load.vertical=100000; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  app.add_flag("--quiet", options.quiet, "do not print the name of the page");
+  app.add("WHEEL", options.wheel, "wheel, built-in name or file").type("NAME|FILE").required();
+  app.add("RAIL", options.rail, "rail, built-in name or file").type("NAME|FILE").required();
+  app.add("--page", options.page, "the page to write").type("FILE.html").show_default();
+  app.add("--threads", options.threads, "number of threads; results do not depend on it")
+      .within(1, 256)
+      .show_default();
+  app.add("--set", options.assignments,
+          "set a key of all scenes, such as load.vertical=100000; may be repeated")
+      .type("KEY=VALUE")
+      .one_value_each();
+  app.flag("--quiet", options.quiet, "do not print the name of the page");
   app.footer("\n" + standard_names_text() +
              "\nExamples:\n"
              "  wrc_report S1002 60E1\n"
              "  wrc_report worn.prw 54E3 --page worn.html --set load.vertical=100000\n");
-  return run_program(app, argc, argv, [&] {
+  return app.run(argc, argv, [&] {
     const auto file = [](const std::string& name) { return is_standard(name) ? "" : name; };
     refuse_overwriting({options.page}, {file(options.wheel), file(options.rail)});
     require_gnuplot();

@@ -4,7 +4,6 @@
 
 #include "support/parallel.hpp"
 #include "support/scene_file.hpp"
-#include "support/toml.hpp"
 
 namespace driver {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "reports/conicity_curves.hpp"
 #include "support/scene.hpp"
 #include "support/values.hpp"
-#include "wrc_sweep/conicity_curves.hpp"
 
 namespace driver {
 

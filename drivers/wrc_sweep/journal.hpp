@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
+#include "reports/warning_summary.hpp"
 #include "support/scene.hpp"
 #include "wrc_sweep/study.hpp"
-#include "wrc_sweep/warning_summary.hpp"
 
 namespace driver {
 

@@ -239,40 +239,40 @@ int sweep(const Options& options, const driver::Ranks& ranks, bool& started) {
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
-      "Solves a study: a wheel/rail scene for every combination of the values listed for its keys.",
-      driver::Ranks::program());
+  driver::Program app(driver::Ranks::program(),
+                      "Solves a study: a wheel/rail scene for every combination of the values "
+                      "listed for its keys.");
   Options options;
-  app.add_option("STUDY", options.study_file, "study file in TOML, or the name of a shipped study")
-      ->type_name("FILE|NAME");
-  app.add_option("--out", options.folder, "folder of the results; created if it does not exist")
-      ->type_name("DIR")
-      ->capture_default_str();
-  app.add_option("--threads", options.threads, "threads of each rank; results do not depend on it")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  app.add_option("--wheels", options.changes.wheels,
-                 "wheels to study, built-in names and files, instead of those of the study")
-      ->type_name("NAME|FILE");
-  app.add_option("--rails", options.changes.rails,
-                 "rails to study, built-in names and files, instead of those of the study")
-      ->type_name("NAME|FILE");
-  app.add_option("--set", options.changes.assignments,
-                 "set one or more keys, overriding the study file; lists and ranges as in the file")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  app.add_option("--page", options.page,
-                 "write a page for a browser, with a slider for each key, instead of tables")
-      ->type_name("FILE");
-  app.add_flag("--resume", options.resume, "continue an interrupted run, if there is one");
-  app.add_flag("--restart", options.restart, "drop the rows of an interrupted run");
-  app.add_flag("--progress", options.progress, "show progress even if stderr is not a terminal");
-  app.add_flag("--quiet", options.quiet, "show warnings only, neither progress nor files written");
-  app.add_flag("--no-pictures", options.no_pictures, "write tables only");
-  app.add_flag("--list-results", options.list_results, "print the names of all results");
-  app.add_flag("--list-studies", options.list_studies, "print the shipped studies");
+  app.add("STUDY", options.study_file, "study file in TOML, or the name of a shipped study")
+      .type("FILE|NAME");
+  app.add("--out", options.folder, "folder of the results; created if it does not exist")
+      .type("DIR")
+      .show_default();
+  app.add("--threads", options.threads, "threads of each rank; results do not depend on it")
+      .within(1, 1024)
+      .show_default();
+  app.add("--wheels", options.changes.wheels,
+          "wheels to study, built-in names and files, instead of those of the study")
+      .type("NAME|FILE");
+  app.add("--rails", options.changes.rails,
+          "rails to study, built-in names and files, instead of those of the study")
+      .type("NAME|FILE");
+  app.add("--set", options.changes.assignments,
+          "set one or more keys, overriding the study file; lists and ranges as in the file")
+      .type("KEY=VALUE")
+      .one_value_each();
+  app.add("--page", options.page,
+          "write a page for a browser, with a slider for each key, instead of tables")
+      .type("FILE");
+  app.flag("--resume", options.resume, "continue an interrupted run, if there is one");
+  app.flag("--restart", options.restart, "drop the rows of an interrupted run");
+  app.flag("--progress", options.progress, "show progress even if stderr is not a terminal");
+  app.flag("--quiet", options.quiet, "show warnings only, neither progress nor files written");
+  app.flag("--no-pictures", options.no_pictures, "write tables only");
+  app.flag("--list-results", options.list_results, "print the names of all results");
+  app.flag("--list-studies", options.list_studies, "print the shipped studies");
   app.footer(footer);
-  return driver::run_program(app, argc, argv, [&] {
+  return app.run(argc, argv, [&] {
     const driver::Ranks ranks;
     bool started = ranks.rank() == 0;
     try {

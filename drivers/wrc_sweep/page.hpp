@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "reports/warning_summary.hpp"
 #include "wrc_sweep/study.hpp"
-#include "wrc_sweep/warning_summary.hpp"
 
 namespace driver {
 

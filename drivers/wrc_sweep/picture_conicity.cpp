@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/conicity_curves.hpp"
 #include "support/csv_table.hpp"
 #include "support/numbers.hpp"
 #include "support/output_file.hpp"
-#include "wrc_sweep/conicity_curves.hpp"
 #include "wrc_sweep/pictures.hpp"
 
 namespace driver {

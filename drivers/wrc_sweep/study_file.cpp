@@ -12,6 +12,7 @@
 #include <tuple>
 #include <utility>
 
+#include "support/scene_file.hpp"
 #include "support/toml.hpp"
 #include "wrc_sweep/result_names.hpp"
 #include "wrc_sweep/shipped_studies.hpp"

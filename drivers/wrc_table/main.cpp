@@ -101,31 +101,30 @@ void check_path(const std::string& path) {
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(purpose, "wrc_table");
+  driver::Program app("wrc_table", purpose);
   std::string path;
   std::string scene_file;
   std::vector<std::string> assignments;
   wrc_table_options options{};
   bool show = false;
-  app.add_option("TABLE", path, "the file of the table")->required();
-  app.add_option("--scene", scene_file, "scene file in TOML")->type_name("FILE");
-  app.add_option("--set", assignments, "set keys of the scene, as in wrc_case")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  app.add_option("--lateral", options.lateral,
-                 "reach in lateral position, to both sides, 0.5 to 30 mm [10]");
-  app.add_option("--roll", options.roll, "reach in roll against the rail, 0.001 to 0.1 rad [0.01]");
-  app.add_option("--yaw", options.yaw, "reach in yaw, 0.001 to 0.1 rad [0.02]");
-  app.add_option("--load", options.load, "largest load of a wheel, 1000 to 1e6 N [150000]");
-  app.add_option(
+  app.add("TABLE", path, "the file of the table").required();
+  app.add("--scene", scene_file, "scene file in TOML").type("FILE");
+  app.add("--set", assignments, "set keys of the scene, as in wrc_case")
+      .type("KEY=VALUE")
+      .one_value_each();
+  app.add("--lateral", options.lateral,
+          "reach in lateral position, to both sides, 0.5 to 30 mm [10]");
+  app.add("--roll", options.roll, "reach in roll against the rail, 0.001 to 0.1 rad [0.01]");
+  app.add("--yaw", options.yaw, "reach in yaw, 0.001 to 0.1 rad [0.02]");
+  app.add("--load", options.load, "largest load of a wheel, 1000 to 1e6 N [150000]");
+  app.add(
       "--tolerance", options.tolerance,
       "error over load beyond which steps with a solver take the exact solution, 0 to 1 [none]");
-  app.add_option("--fineness", options.fineness, "of the nodes, 0.2 to 4 [1]");
-  app.add_option("--threads", options.threads,
-                 "threads, 1 to 1024; the table does not depend on it [1]");
-  app.add_flag("--show", show, "print what the file holds, and make nothing");
+  app.add("--fineness", options.fineness, "of the nodes, 0.2 to 4 [1]");
+  app.add("--threads", options.threads, "threads, 1 to 1024; the table does not depend on it [1]");
+  app.flag("--show", show, "print what the file holds, and make nothing");
   app.footer(explanation);
-  return driver::run_program(app, argc, argv, [&] {
+  return app.run(argc, argv, [&] {
     wrcontact::Table table;
     if (show) {
       table.load(path);

@@ -7,16 +7,16 @@
 #include <iostream>
 #include <map>
 #include <numbers>
-#include <regex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/gnuplot.hpp"
 #include "support/numbers.hpp"
+#include "support/output_file.hpp"
 #include "support/parallel.hpp"
 #include "support/program.hpp"
 #include "support/scene_file.hpp"
-#include "support/toml.hpp"
 #include "wrc_wear/mission.hpp"
 #include "wrc_wear/worn_profile.hpp"
 
@@ -100,8 +100,18 @@ struct Worn {
 
 /// A warning with "..." for its numbers, of which each solution has others.
 std::string without_numbers(const std::string& warning) {
-  static const std::regex number(R"([-+]?\d[-+.\deE]*)");
-  return std::regex_replace(warning, number, "...");
+  constexpr std::string_view digits = "0123456789";
+  constexpr std::string_view also_in_numbers = "0123456789+-.eE";
+  std::string kept;
+  std::size_t end = 0; // of the number before
+  std::size_t first = warning.find_first_of(digits);
+  while (first != std::string::npos) {
+    const bool has_sign = first > end && (warning[first - 1] == '-' || warning[first - 1] == '+');
+    kept += warning.substr(end, first - end - (has_sign ? 1 : 0)) + "...";
+    end = std::min(warning.find_first_not_of(also_in_numbers, first), warning.size());
+    first = warning.find_first_of(digits, end);
+  }
+  return kept + warning.substr(end);
 }
 
 /// Each wheel is as often the left as the right one.
@@ -255,40 +265,36 @@ void run(Options options) {
 
 int main(int argc, char** argv) {
   using namespace driver;
-  CLI::App app("Simulates the wear of a wheel profile on a mission of straight track and curves. "
-               "Wear is computed on each element and summed along the profile, which is updated "
-               "after at most 0.05 mm of wear; smoothing keeps the worn area.",
-               "wrc_wear");
+  Program app("wrc_wear",
+              "Simulates the wear of a wheel profile on a mission of straight track and curves. "
+              "Wear is computed on each element and summed along the profile, which is updated "
+              "after at most 0.05 mm of wear; smoothing keeps the worn area.");
   Options options;
-  app.add_option("--wheel", options.wheel, "wheel at the start, built-in name or file")
-      ->type_name("NAME|FILE")
-      ->capture_default_str();
-  app.add_option("--rail", options.rail, "rail, built-in name or file; default 60E1")
-      ->type_name("NAME|FILE");
-  app.add_option("--mission", options.mission,
-                 "curves, speeds and shares of the distance, see below")
-      ->type_name("FILE.toml");
-  app.add_option("--distance", options.distance, "distance to run, km")
-      ->check(CLI::Range(1.0, 1e7))
-      ->capture_default_str();
-  app.add_option("--threads", options.threads, "number of threads; results do not depend on it")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  app.add_option("--plot", options.plot, "draw the new and the worn profile and the depth of wear")
-      ->type_name("FILE.png|svg");
-  app.add_option("--save", options.save, "write the worn profile, as wrc_profile --convert does")
-      ->type_name("FILE");
-  app.add_option("--set", options.assignments,
-                 "set a key in all scenes, such as wear.law=archard; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  app.add("--wheel", options.wheel, "wheel at the start, built-in name or file")
+      .type("NAME|FILE")
+      .show_default();
+  app.add("--rail", options.rail, "rail, built-in name or file; default 60E1").type("NAME|FILE");
+  app.add("--mission", options.mission, "curves, speeds and shares of the distance, see below")
+      .type("FILE.toml");
+  app.add("--distance", options.distance, "distance to run, km").within(1.0, 1e7).show_default();
+  app.add("--threads", options.threads, "number of threads; results do not depend on it")
+      .within(1, 256)
+      .show_default();
+  app.add("--plot", options.plot, "draw the new and the worn profile and the depth of wear")
+      .type("FILE.png|svg");
+  app.add("--save", options.save, "write the worn profile, as wrc_profile --convert does")
+      .type("FILE");
+  app.add("--set", options.assignments,
+          "set a key in all scenes, such as wear.law=archard; may be repeated")
+      .type("KEY=VALUE")
+      .one_value_each();
   app.footer(std::string("\nA mission file, with the mission that is used without one:\n\n") +
              mission_text +
              "\nExamples:\n"
              "  wrc_wear --plot wear.png\n"
              "  wrc_wear --wheel worn.prw --rail 54E3 --mission line.toml --distance 50000 "
              "--save later.prw\n");
-  return run_program(app, argc, argv, [&] {
+  return app.run(argc, argv, [&] {
     run(options);
     return 0;
   });

@@ -169,7 +169,7 @@ TEST(History, WheelsetParksOnASlope) {
   const double settled = wheelset.q[0];
   EXPECT_LT(settled, -1e-5); // it hangs on the contact
   EXPECT_GT(settled, -5e-3);
-  wheelset.run(9.5, 0.02);
+  wheelset.run(by_extent(9.5, 2.0), 0.02);
   // Without history it creeps 0.4 um, with the default standstill speed of 1 mm/s.
   EXPECT_NEAR(wheelset.q[0], settled, 2e-4);
   EXPECT_LT(std::abs(wheelset.v[0]), 1e-3);
@@ -177,7 +177,7 @@ TEST(History, WheelsetParksOnASlope) {
 }
 
 TEST(History, WheelsetSlidesWhereAPushExceedsFriction) {
-  for (const std::size_t direction : {0U, 1U}) {
+  for (const std::size_t direction : some_of({0U, 1U}, 1)) {
     for (const double share : {0.9, 1.5}) {
       SCOPED_TRACE(std::to_string(direction) + " " + std::to_string(share));
       Wheelset wheelset;
@@ -236,7 +236,8 @@ TEST(History, StartsOnASlopeWhenItsBrakeIsReleased) {
 }
 
 TEST(History, StandstillWithSidewaysVelocitiesFailsNoStep) {
-  for (const auto& [speed, lateral] : {std::pair{0.0, 0.1}, {0.0, 10.0}, {50.0, 10.0}}) {
+  for (const auto& [speed, lateral] :
+       some_of({std::pair{0.0, 0.1}, {0.0, 10.0}, {50.0, 10.0}}, 1)) {
     SCOPED_TRACE(std::to_string(speed) + " " + std::to_string(lateral));
     Wheelset wheelset;
     wheelset.locked = false;

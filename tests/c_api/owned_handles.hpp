@@ -16,7 +16,11 @@
 
 #include <gtest/gtest.h>
 
+#include "extent.hpp"
 #include "wrcontact.h"
+
+using wrc::test::by_extent;
+using wrc::test::some_of;
 
 using ScenePointer = std::unique_ptr<wrc_scene, void (*)(wrc_scene*)>;
 using NormalPointer = std::unique_ptr<wrc_normal, void (*)(wrc_normal*)>;

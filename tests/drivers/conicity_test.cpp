@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "wrc_sweep/conicity.hpp"
+#include "reports/conicity.hpp"
 
 namespace conicity_test {
 namespace {

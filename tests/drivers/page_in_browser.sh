@@ -51,14 +51,21 @@ if [[ $first != "<output>0 mm id=\"left.pmax\">$(pmax 0)" ]] ||
   echo "with its slider moved: $moved"
   exit 1
 fi
-# Names that begin and end elements and scripts: shown as they are, and nothing of them runs.
+# Names that begin and end elements and scripts: shown as they are, and nothing of them runs. There are no such
+# wheels, so no scene has results, and wrc_sweep ends with 3.
 cat >"$folder/names.toml" <<'END'
 [wheelset]
 wheel = ["evil/<img src=x onerror=document.body.id='ran'><!--\"'</script><script>document.body.id='ran'</scr.txt", "w1/x<script>document.body.id='ran'<b>.txt", "<!-- <script", "=1+1.txt"]
 [study]
 title = "</script><script>document.body.id='ran'</script> <!-- <script> {pose.yaw}"
 END
-"$sweep" "$folder/names.toml" --page "$folder/names.html" --quiet
+status=0
+"$sweep" "$folder/names.toml" --page "$folder/names.html" --quiet >"$folder/log" 2>&1 || status=$?
+if [ "$status" -ne 3 ]; then
+  echo "a study without results ends with $status instead of 3:"
+  cat "$folder/log"
+  exit 1
+fi
 "$chromium" "${options[@]}" --dump-dom "file://$folder/names.html" 2>"$folder/log" >"$folder/dom"
 title="&lt;/script&gt;&lt;script&gt;document.body.id='ran'&lt;/script&gt; &lt;!-- &lt;script&gt; {pose.yaw}"
 if ! grep -qF "<h1 id=\"title\">$title</h1>" "$folder/dom" ||

@@ -14,6 +14,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "extent.hpp"
+
+using wrc::test::by_extent;
+using wrc::test::some_of;
+
 struct Outcome {
   int exit_code = -1;
   std::string out;
@@ -63,6 +68,21 @@ protected:
     const Outcome outcome = run(program, arguments + " --json");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
     return nlohmann::json::parse(outcome.out);
+  }
+
+  /// Runs a program that may write files of so many blocks of 512 bytes, and prints into a file.
+  [[nodiscard]] Outcome run_limited(int blocks, const std::string& program,
+                                    const std::string& arguments,
+                                    const std::string& printed = "/dev/null") const {
+    const std::string command = "cd '" + folder().string() + "' && (ulimit -f " +
+                                std::to_string(blocks) + "; exec '" + program + "' " + arguments +
+                                ") >" + printed + " 2>stderr.captured";
+    const int status = std::system(command.c_str());
+    Outcome outcome;
+    outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    outcome.error = read("stderr.captured");
+    std::filesystem::remove(folder() / "stderr.captured");
+    return outcome;
   }
 
   void write(const std::string& name, const std::string& content) const {

@@ -106,8 +106,8 @@ TEST_F(WrcSweep, RanksDoNotChangeABit) {
   // Leaks of the MPI library are not ours to find.
   const std::string in_mpi = std::string("ASAN_OPTIONS=detect_leaks=0 '") + WRC_MPIEXEC + "'";
   const auto alone = files("s.toml", "alone");
-  for (const char* ranks : {"1", "2", "3"}) {
-    for (const char* threads : {"1", "2"}) {
+  for (const char* ranks : some_of({"1", "2", "3"}, 1)) {
+    for (const char* threads : some_of({"1", "2"}, 1)) {
       const std::string folder = std::string("ranks") + ranks + threads;
       const Outcome outcome = run(
           "env", in_mpi + " -n " + ranks + " --allow-run-as-root --oversubscribe '" +
@@ -156,7 +156,7 @@ TEST_F(WrcSweep, ResumesAfterAnInterruptOrAKill) {
                   "[study]\nfields = [\"pressure\"]\n");
   constexpr const char* warned = " of 60 scenes have warnings"; // kept in the rows, too
   const auto whole = files("s.toml", "whole", warned);
-  for (const int signal : {SIGKILL, SIGINT}) {
+  for (const int signal : some_of({SIGINT, SIGKILL}, 1)) {
     SCOPED_TRACE(signal);
     std::filesystem::remove_all(folder() / "o");
     constexpr std::uintmax_t some_rows = 1 << 20;
@@ -307,8 +307,9 @@ TEST_F(WrcSweep, PicturesDistinguishManyLinesAndNumberConnections) {
 TEST_F(WrcSweep, EveryShippedStudyRunsAndDraws) {
   NEEDS_GNUPLOT();
   std::set<std::string> pictures;
+  const std::set<std::string> few{"creep_curves", "fig05", "fig12", "connections"};
   for (const auto& file : std::filesystem::directory_iterator(WRC_STUDIES)) {
-    if (file.is_directory()) { // profiles of a study
+    if (file.is_directory() || !by_extent(true, few.contains(file.path().stem()))) {
       continue;
     }
     // Coarse: what matters is that all keys, results and pictures fit each other.
@@ -325,10 +326,9 @@ TEST_F(WrcSweep, EveryShippedStudyRunsAndDraws) {
       }
     }
   }
-  EXPECT_GE(pictures.size(), 16U);
+  EXPECT_GE(pictures.size(), by_extent(16U, 4U));
   // Creep curves end in full sliding: all of 0.3 x 80 kN, in the direction of the slip.
   constexpr double bound = 0.3 * 80e3;
-  constexpr double beyond = 0.005;    // of the force: Polach's law only tends to full sliding
   std::map<std::string, double> last; // of each model without spin
   const std::string curves = "o/creep_curves.csv";
   const auto rows = lines_of(read(curves)).size() - 1;
@@ -340,7 +340,7 @@ TEST_F(WrcSweep, EveryShippedStudyRunsAndDraws) {
   }
   EXPECT_EQ(last.size(), 3U);
   for (const auto& [model, force] : last) {
-    EXPECT_NEAR(force, -bound, beyond * bound) << model;
+    EXPECT_NEAR(force, -bound, 0.005 * bound) << model; // Polach's law only tends to it
   }
 }
 

@@ -159,5 +159,13 @@ TEST_F(WrcTradeoff, RefusesWhatIsNotAllowed) {
   run("--pictures nowhere").expect_refusal({"nowhere"});
 }
 
+TEST_F(WrcTradeoff, LeavesNoPartOfAFileOnAFullDisk) {
+  const Outcome outcome =
+      run_limited(1, WRC_TRADEOFF_PROGRAM, "--scenes 1 --repeats 1 --json b.json");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.error.find("b.json"), std::string::npos) << outcome.error;
+  EXPECT_EQ(file_count(), 0);
+}
+
 } // namespace
 } // namespace wrc_tradeoff_test

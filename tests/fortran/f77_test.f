@@ -5,13 +5,15 @@ c filled with ones before each call, so that half a write is seen.
       implicit none
       integer nbad
       common /bad/ nbad
+      character*8 extent
       nbad = 0
+      call get_environment_variable('WRCONTACT_TEST_EXTENT', extent)
       call tscene
       call tids
       call tstep
       call tvehic
       call tstill
-      call tctabl
+      if (extent .eq. 'long') call tctabl
       call tnorm
       call troll
       call tprof

@@ -174,7 +174,7 @@ DrawnScene VaryingLists::scene(std::uint64_t seed) const {
   };
   for (const auto& [key, permitted] :
        {std::pair("solve.gap", "tangent"), {"solve.model", "half-space"}}) {
-    if (draw.chance(0.95)) { // other ones are refused
+    if (draw.chance(0.95)) { // mostly the default
       scene.set(key, std::string(permitted));
     }
   }

@@ -21,13 +21,18 @@ cat >"$work/two.log" <<'END'
 .s.s                                                                     [100%]
 SKIPPED [2] test_pictures.py:66: could not import 'matplotlib'
 2 passed, 2 skipped in 0.10s
+Skipped: no browser here
+Skipped: no browser here: a.png is not compared
+12 of 13 pictures are as committed
 /project/tests/rails_test.cpp:9: Skipped
 no wheel here
 END
 cat >"$work/expected" <<'END'
-5 tests skipped
+7 tests skipped
   2: could not import 'matplotlib'
   2: no wheel here
+  1: no browser here
+  1: no browser here: a.png is not compared
   1: no reason given
 END
 "$1/scripts/skipped_tests.sh" "$work/one.log" "$work/two.log" >"$work/found"

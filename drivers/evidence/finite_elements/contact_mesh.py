@@ -2,7 +2,7 @@
 
 Half of each body, x >= 0. The rail head ends in a plane 51 mm below its top, the rim 62 mm inside of the running circle; both planes are
 clamped or moved, and u_x = 0 on the ends x = 0 and x = LENGTH. Every node of a surface lies on the profile of the library
-(curved_contact.py has it as cubic pieces). In the fine zone the wheel's nodes lie on the normals of the rail's nodes, so that facets
+(profile_surfaces.py has it as cubic pieces). In the fine zone the wheel's nodes lie on the normals of the rail's nodes, so that facets
 are parallel and the distance of both surfaces has no facets to first order. Lines of nodes leave the surface along its normal and end on
 the plane: Bezier curves.
 
@@ -17,8 +17,8 @@ from typing import Any
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "curved"))
-from curved_contact import Graph, Rail, Wheel  # noqa: E402
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from profile_surfaces import Graph, Rail, Wheel  # noqa: E402
 
 Array = Any
 HEAD_DEPTH, RIM_DEPTH = 51.0, 62.0  # mm: fishing plane of 60E1 (EN 13674-1), assumed rim, as in half_space_limits/sections.py

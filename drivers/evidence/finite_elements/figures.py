@@ -21,7 +21,7 @@ from scipy.interpolate import PchipInterpolator
 from calculix import POISSON, YOUNG, Solution
 from contact_mesh import RATIO, Body
 from scenes import Blocks, Case, Scene, placed_wheel
-from compare_curved import library_figures
+from profile_surfaces import library_figures
 
 Array = Any
 DEEP = 10.0  # mm: the depth of the points whose approach is compared

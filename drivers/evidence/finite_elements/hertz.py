@@ -24,7 +24,7 @@ import calculix  # noqa: E402
 from contact_mesh import LENGTH, RATIO, Section, Sizes, rail_body, wheel_body, zone_and_outside  # noqa: E402
 from figures import DEEP, finite_element_figures  # noqa: E402
 from scenes import Blocks, Case, Scene, model_of  # noqa: E402
-from curved_contact import Graph, Wheel  # noqa: E402
+from profile_surfaces import Graph, Wheel  # noqa: E402
 
 Array = Any
 WHEEL, RAIL, LOAD = 460.0, 80.0, 40e3  # mm, mm, N

@@ -9,11 +9,10 @@ from typing import Any
 import numpy as np
 
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "curved")]
+sys.path.insert(0, str(HERE))
 import calculix  # noqa: E402
-from compare_curved import GAUGE, GAUGE_HEIGHT, RADIUS, TAPE_OFFSET, library_figures  # noqa: E402
 from contact_mesh import LENGTH, RATIO, Body, Section, Sizes, rail_body, wheel_body, zone_and_outside  # noqa: E402
-from curved_contact import Rail, Wheel  # noqa: E402
+from profile_surfaces import GAUGE, GAUGE_HEIGHT, RADIUS, TAPE_OFFSET, Rail, Wheel, library_figures  # noqa: E402
 
 Array = Any
 LOAD = 80e3  # N

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """How far rail head and wheel rim are from half-spaces, where contacts are and over which distances.
 
-    PYTHONPATH=build/release/python drivers/evidence/half_space_limits/measure_half_space.py --write influence.json
+    drivers/evidence/half_space_limits/measure_half_space.py --write influence.json
     drivers/evidence/half_space_limits/measure_half_space.py --read influence.json [--picture half_space.png]
 
-The first command computes the influence of 60E1 and S1002 (prismatic_body.py) and three contacts of them; it takes some minutes
-on one core and needs numpy, scipy and the Python package. The second one prints the tables of docs/evidence/half-space.md and
-needs numpy; its picture needs matplotlib.
+The first command computes the influence of 60E1 and S1002 (prismatic_body.py); it takes some minutes on one core and needs numpy and
+scipy. The second one prints the tables of docs/evidence/half-space.md, with three contacts from contacts.json, which commit be745a05
+solved; it needs numpy, its picture matplotlib.
 
 A patch is 2 mm wide and 10 mm long. Errors are those of the displacement by which a patch moves towards or away from another one when a unit
 of force goes from one to the other, less the same of the operator, over the half-space's displacement A(d) at their distance d:
@@ -27,13 +27,13 @@ import numpy as np
 
 Array = np.ndarray[Any, np.dtype[Any]]
 HERE = Path(__file__).resolve().parent
+CONTACTS = HERE / "contacts.json"
 WIDTH, LENGTH = 2.0, 10.0  # mm, of a patch
 EDGES = (2, 3, 4)  # of elements per strip: two refinements
 WAVE_NUMBERS_PER_DECADE = 6
 WHEEL_LESS_RAIL = -2.5  # mm: lateral coordinates of wheel and rail where they touch, S1002 on 60E1 at y = 5.5 mm
 PAIRS = {"two lobes, 8 mm apart": (-18.0, -26.0), "tread and gauge corner, 12 mm": (-14.7, -26.5),
          "tread and flange root, 17 mm, 0.5 rad": (-14.0, -29.7)}
-SCENES = {"two lobes, y = 5 mm": 5.0, "gauge corner, y = 5.5 mm": 5.5, "gauge corner, y = 6.2 mm": 6.2}
 
 
 def solved(section: Any, edges: int, poisson: float = 0.3, smallest: float = 1e-3) -> Any:
@@ -113,96 +113,10 @@ def at_places(figures: dict[str, Any], kind: str, one: float, other: float) -> t
                  for values in (error, distance))  # type: ignore[return-value]
 
 
-def contact_with(contact: Any, bodies: list[tuple[Any, Array]]) -> None:
-    """Adds what real bodies displace more than the curved half-space: bodies and the rows' arc lengths on each."""
-    from scipy.interpolate import RegularGridInterpolator
-
-    rows, columns = contact.pressure.shape
-    x = contact.length * np.minimum(np.arange(2 * columns), 2 * columns - np.arange(2 * columns))
-    extra = np.zeros((2 * columns, rows, rows))
-    for body, arc in bodies:
-        strips = body.section.strips
-        middle, width = 0.5 * (strips[1:] + strips[:-1]), strips[1] - strips[0]
-        if arc.min() < middle[0] or arc.max() > middle[-1]:
-            raise ValueError("rows outside of the strips")
-        more = body.influence(x[:columns + 1], less="curved", window=contact.length)
-        more = 0.5 * (more + more.transpose(0, 2, 1))
-        # By mean and difference of both arcs: the difference has a peak at 0.
-        count = len(middle)
-        lag, mean = np.arange(count), np.arange(2 * count - 1)
-        table = np.full((count, 2 * count - 1, columns + 1), np.nan)
-        for i in range(count):
-            for j in range(i, count):
-                table[j - i, i + j] = more[:, i, j]
-        for lags in table:  # fill in between, and beyond the ends
-            known = np.flatnonzero(np.isfinite(lags[:, 0]))
-            for column in range(columns + 1):
-                lags[:, column] = np.interp(mean, known, lags[known, column])
-        place = (arc - middle[0]) / width
-        points = np.stack([abs(np.subtract.outer(place, place)), np.add.outer(place, place)], -1)
-        found = RegularGridInterpolator((lag, mean), table)(points)
-        extra += np.moveaxis(np.concatenate([found, found[:, :, columns - 1:0:-1]], -1), -1, 0)
-    spectrum = np.fft.rfft(extra, axis=0) * contact.height * contact.length
-    plain = contact.displacement
-
-    def displacement(pressure: Array) -> Array:
-        wide = np.fft.rfft(pressure.T, 2 * columns, axis=0)
-        return np.asarray(plain(pressure) + np.fft.irfft(np.einsum("krs,ks->kr", spectrum, wide), axis=0)[:columns].T)
-
-    contact.displacement = displacement
-
-
-def contacts(rail: Any, wheel: Any, grid: tuple[int, int]) -> dict[str, Any]:
-    """Pressures, approach and shares of the scenes, by operator; 80 kN, S1002 on 60E1 at 1:40."""
-    sys.path.insert(0, str(HERE.parent / "curved"))
-    from compare_curved import curved_contact, library_figures
-    from compare_curved import bodies as track_bodies
-    from curved_contact import solve_for_load
-
-    def arc_of(body: Any, lateral: Array) -> Array:
-        outline, arc = body.section.outline, body.section.arc
-        end = int(np.argmin(outline[:, 0] > outline[:, 0].min() + 0.2))
-        return np.interp(-lateral, -outline[:end, 0], arc[:end])
-
-    result: dict[str, Any] = {}
-    for name, lateral in SCENES.items():
-        keys = {"wheel": "S1002", "rail": "60E1", "back_to_back": 1360.0, "cant": "1:40", "lateral": lateral,
-                "load_vertical": 80e3, "yaw": 0.0}
-        scene, left = library_figures(keys, "pressures", 1e-3)
-        keys["roll"] = float(scene["roll"])
-        patch, cant = left.patches[0], np.arctan(1 / 40)
-        result[name] = {}
-        for kind in ("A", "curved", "real bodies"):
-            contact = curved_contact(*track_bodies(keys), left.patches, grid, height=left.vertical - left.depth)
-            if kind == "A":
-                contact.turning = np.ones_like(contact.turning)
-            elif kind == "real bodies":
-                offset = contact.on_rail[:, 1:] - [patch.y, patch.z]
-                on_rail = patch.t_rail + offset @ [np.cos(cant), np.sin(cant)]
-                on_wheel = patch.s_wheel + offset[:, 0]
-                contact_with(contact, [(rail, arc_of(rail, on_rail)), (wheel, arc_of(wheel, on_wheel))])
-            height = solve_for_load([contact], 80e3, left.vertical - left.depth, left.depth)
-            rows = np.linalg.norm(contact.row_forces(), axis=1)
-            y = contact.on_rail[:, 1]
-            crests = contact.pressure.max(1)
-            corner = y < 731.0  # between the lobes of y = 5 mm
-            result[name][kind] = {
-                "pmax": float(contact.pressure.max()), "depth": float(left.vertical - height),
-                "lateral force": float(contact.force()[1]), "area": float(np.sum(contact.pressure > 0) * contact.height * contact.length),
-                "share of corner": float(rows[corner].sum() / rows.sum()),
-                "pmax of tread": float(crests[~corner].max(initial=0.0))}
-    return result
-
-
 def compute() -> dict[str, Any]:
     from sections import above, rail_60e1, rim_s1002
 
-    found: dict[str, Any] = {name: {} for name in ("half-space", "quarter-space", "rail", "wheel", "contacts")}
-    for width, edges, grid in ((1.0, 2, (216, 33)), (1.0, 3, (324, 41)), (0.75, 3, (216, 33))):
-        name = f"strips {width} mm, {edges} edges, {grid[0]} x {grid[1]}"
-        print(name, file=sys.stderr, flush=True)
-        found["contacts"][name] = contacts(real_body(rail_60e1(-8.0, -35.9, width), edges),
-                                           real_body(rim_s1002(-10.0, -40.0, width), edges), grid)
+    found: dict[str, Any] = {name: {} for name in ("half-space", "quarter-space", "rail", "wheel")}
     for edges in EDGES[::-1]:
         print(f"{edges} edges per strip", file=sys.stderr, flush=True)
         sections = {"rail": (rail_60e1(20.0, -36.0, WIDTH), -30.0), "wheel": (rim_s1002(20.0, -41.0, WIDTH), -40.0)}
@@ -250,7 +164,7 @@ def report(found: dict[str, Any]) -> None:
                 values = [np.interp(-place, -np.array(body["lateral"]), np.array(body["along"])[i]) for i in (0, column)]
                 error.append((values[1] - values[0]) * x)
             print(f"| {t} | {x:.0f} | {percent(np.array([*error, np.mean(error)]))} |")
-    for variant, scenes in found["contacts"].items():
+    for variant, scenes in json.loads(CONTACTS.read_text(encoding="utf-8")).items():
         print(f"\n{variant}\n| contact | operator | pmax, MPa | depth, mm | area, mm^2 | Fy, kN | share of gauge corner | pmax of tread |\n"
               + "|---" * 8 + "|")
         for name, kinds in scenes.items():

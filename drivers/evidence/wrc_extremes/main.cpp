@@ -1,10 +1,12 @@
 // wrc_extremes: every quantity to its limits, one at a time: what holds where, and what is said
 // where it does not.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <set>
 
+#include "support/json.hpp"
 #include "support/output_file.hpp"
 #include "support/parallel.hpp"
 #include "support/program.hpp"
@@ -45,11 +47,12 @@ std::vector<Row> measure_all(const std::vector<Point>& points, int threads, std:
   return rows;
 }
 
-std::set<std::string> quantity_names() {
-  std::set<std::string> names;
+std::vector<std::string> quantity_names() {
+  std::vector<std::string> names;
   for (const extremes::Quantity& quantity : extremes::quantities()) {
-    names.insert(quantity.name);
+    names.push_back(quantity.name);
   }
+  std::sort(names.begin(), names.end());
   return names;
 }
 
@@ -76,30 +79,31 @@ std::string explanation() {
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Varies each quantity to its limits and reports, for each point, whether the "
-               "solution holds: status, recomputed residuals, digits lost against elimination in "
-               "extended precision, and errors beyond the requested accuracy.",
-               "wrc_extremes");
+  driver::Program app(
+      "wrc_extremes",
+      "Varies each quantity to its limits and reports, for each point, whether the "
+      "solution holds: status, recomputed residuals, digits lost against elimination in "
+      "extended precision, and errors beyond the requested accuracy.");
   bool quick = false;
   std::vector<std::string> only;
   std::string folder;
   std::uint64_t seed = 1;
   int threads = 1;
-  app.add_flag("--quick", quick, "a few points of each quantity; takes seconds");
-  app.add_option("--only", only, "measure only this quantity; may be repeated")
-      ->type_name("QUANTITY")
-      ->check(CLI::IsMember(quantity_names()));
-  app.add_option("--out", folder,
-                 "write extremes.json and extremes_<quantity>.png into this folder, which is "
-                 "created if it does not exist")
-      ->type_name("FOLDER");
-  app.add_option("--seed", seed, "seed of random noise and of the elements sampled on large grids")
-      ->capture_default_str();
-  app.add_option("--threads", threads, "number of threads; results do not depend on it")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  app.flag("--quick", quick, "a few points of each quantity; takes seconds");
+  app.add("--only", only, "measure only this quantity; may be repeated")
+      .type("QUANTITY")
+      .one_of(quantity_names());
+  app.add("--out", folder,
+          "write extremes.json and extremes_<quantity>.png into this folder, which is "
+          "created if it does not exist")
+      .type("FOLDER");
+  app.add("--seed", seed, "seed of random noise and of the elements sampled on large grids")
+      .show_default();
+  app.add("--threads", threads, "number of threads; results do not depend on it")
+      .within(1, 1024)
+      .show_default();
   app.footer(explanation());
-  return driver::run_program(app, argc, argv, [&] {
+  return app.run(argc, argv, [&] {
     std::vector<Point> points = extremes::all_points();
     const std::set<std::string> chosen(only.begin(), only.end());
     std::erase_if(points, [&](const Point& point) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "support/json.hpp"
 #include "support/numbers.hpp"
 #include "support/text_table.hpp"
 #include "wrc_extremes/row.hpp"

@@ -6,13 +6,14 @@
 #include <ostream>
 #include <vector>
 
-#include "support/json.hpp"
+#include <nlohmann/json_fwd.hpp>
+
 #include "wrc_extremes/row.hpp"
 
 namespace extremes {
 
 void print_table(const std::vector<Row>& rows, std::ostream& out);
-driver::json json_of(const std::vector<Row>& rows, std::uint64_t seed);
+nlohmann::json json_of(const std::vector<Row>& rows, std::uint64_t seed);
 
 /// One picture per quantity, extremes_<quantity>.png: residuals and errors over it, and where it is
 /// refused or warned of.

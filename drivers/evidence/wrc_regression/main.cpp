@@ -7,25 +7,25 @@
 #include "wrc_regression/checks.hpp"
 
 int main(int argc, char** argv) {
-  CLI::App app("Solves stored cases and compares the results with the paper's Table 2, with the "
-               "program CONTACT and with stored results of this library.\nExit code: 0 if all are "
-               "within their tolerances, 4 if not.",
-               "wrc_regression");
+  driver::Program app(
+      "wrc_regression",
+      "Solves stored cases and compares the results with the paper's Table 2, with the "
+      "program CONTACT and with stored results of this library.\nExit code: 0 if all are "
+      "within their tolerances, 4 if not.");
   std::string folder = WRC_REGRESSION_FOLDER;
   std::string contact;
   bool update = false;
-  app.add_option("--cases", folder,
-                 "folder with cases.toml and baselines.toml; default: "
-                 "drivers/evidence/wrc_regression in the source tree of this build")
-      ->type_name("DIR");
-  app.add_option(
-         "--contact", contact,
-         "JSON file with results of CONTACT, such as tests/reference/contact_cases.json; without "
-         "it they are not compared")
-      ->type_name("FILE");
-  app.add_flag("--update", update,
-               "replace the stored results by those of this build and list what has changed");
-  return driver::run_program(app, argc, argv, [&] {
+  app.add("--cases", folder,
+          "folder with cases.toml and baselines.toml; default: "
+          "drivers/evidence/wrc_regression in the source tree of this build")
+      .type("DIR");
+  app.add("--contact", contact,
+          "JSON file with results of CONTACT, such as tests/reference/contact_cases.json; without "
+          "it they are not compared")
+      .type("FILE");
+  app.flag("--update", update,
+           "replace the stored results by those of this build and list what has changed");
+  return app.run(argc, argv, [&] {
     const std::filesystem::path cases = folder;
     const std::filesystem::path baselines = cases / "baselines.toml";
     std::vector<driver::Check> checks = driver::run_stored_cases(cases / "cases.toml", baselines);

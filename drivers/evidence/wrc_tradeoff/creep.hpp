@@ -15,7 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "support/json.hpp"
+#include <nlohmann/json_fwd.hpp>
+
 #include "support/random_scenes.hpp"
 #include "wrc_tradeoff/measure.hpp"
 
@@ -89,7 +90,7 @@ struct CreepRow {
 std::vector<CreepRow> creep_rows(const std::vector<CreepMeasured>& all);
 
 void print_creep_summary(const std::vector<CreepMeasured>& all, std::ostream& out);
-driver::json creep_json_of(const std::vector<CreepMeasured>& all);
+nlohmann::json creep_json_of(const std::vector<CreepMeasured>& all);
 /// Writes tradeoff_creep.png, errors over time, into a folder that exists.
 void draw_creep(const std::vector<CreepMeasured>& all, const std::filesystem::path& folder);
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/json.hpp"
 #include "support/numbers.hpp"
 #include "support/statistics.hpp"
 #include "support/text_table.hpp"

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "support/json.hpp"
 #include "support/output_file.hpp"
 #include "support/parallel.hpp"
 #include "support/program.hpp"
@@ -108,66 +109,64 @@ void judge_practical_wheels(const Options& options) {
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
+  driver::Program app(
+      "wrc_tradeoff",
       "Solves many scenes at every accuracy and with every contact model, compares each with a "
-      "much\nfiner solution, and reports requested, true and estimated errors and the time taken.",
-      "wrc_tradeoff");
+      "much\nfiner solution, and reports requested, true and estimated errors and the time taken.");
   Options options;
-  auto* scenes = app.add_option("--scenes", options.scenes, "number of scenes of the fixed family")
-                     ->check(CLI::Range(1, 100000))
-                     ->capture_default_str();
-  auto* random =
-      app.add_option("--random", options.random,
-                     "instead of the family: number of random scenes, over all that vehicles may "
-                     "meet; only accuracies are compared, no other models or prescribed grids")
-          ->check(CLI::Range(1, 1000000))
-          ->excludes(scenes);
-  auto* accuracy_of = app.add_option("--accuracy-of", options.accuracy_of,
-                                     "results that accuracies apply to (solve.accuracy_of)")
-                          ->check(CLI::IsMember({"forces", "pressures", "both"}))
-                          ->capture_default_str();
-  auto* position = app.add_flag("--position", options.position,
-                                "prescribe the position that each load gives instead of the load; "
-                                "missed accuracies are listed with the loads");
-  auto* creep = app.add_option("--creep", options.creep,
-                               "instead of everything else: compare models of creep forces on this "
-                               "number of scenes, with creepages of 0.1 to 10 times saturation")
-                    ->check(CLI::Range(1, 100000))
-                    ->excludes(scenes)
-                    ->excludes(random)
-                    ->excludes(accuracy_of)
-                    ->excludes(position);
-  app.add_flag("--motion", options.motion,
-               "with --creep: steps of a wheelset that hunts over irregular track, not creepages")
-      ->needs(creep);
-  app.add_option(
-         "--practical", options.practical,
-         "instead of everything else: check pmax at accuracy 1e-2, its error estimates and its "
-         "warnings on this number of random scenes with built-in profiles in usual dimensions")
-      ->check(CLI::Range(1, 100000))
-      ->excludes(scenes)
-      ->excludes(random)
-      ->excludes(accuracy_of)
-      ->excludes(position)
-      ->excludes(creep);
-  app.add_option("--threads", options.threads, "scenes solved at once; times depend on it")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  app.add_option("--repeats", options.repeats,
-                 "largest number of timed solutions per scene and setting")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app.add_option("--json", options.json, "write all results as one JSON object")->type_name("FILE");
-  app.add_option("--pictures", options.pictures, "draw tradeoff_*.png into an existing folder")
-      ->type_name("FOLDER")
-      ->check(CLI::ExistingDirectory);
+  const auto scenes = app.add("--scenes", options.scenes, "number of scenes of the fixed family")
+                          .within(1, 100000)
+                          .show_default();
+  const auto random =
+      app.add("--random", options.random,
+              "instead of the family: number of random scenes, over all that vehicles may "
+              "meet; only accuracies are compared, no other models or prescribed grids")
+          .within(1, 1000000)
+          .excludes(scenes);
+  const auto accuracy_of = app.add("--accuracy-of", options.accuracy_of,
+                                   "results that accuracies apply to (solve.accuracy_of)")
+                               .one_of({"forces", "pressures", "both"})
+                               .show_default();
+  const auto position = app.flag("--position", options.position,
+                                 "prescribe the position that each load gives instead of the load; "
+                                 "missed accuracies are listed with the loads");
+  const auto creep = app.add("--creep", options.creep,
+                             "instead of everything else: compare models of creep forces on this "
+                             "number of scenes, with creepages of 0.1 to 10 times saturation")
+                         .within(1, 100000)
+                         .excludes(scenes)
+                         .excludes(random)
+                         .excludes(accuracy_of)
+                         .excludes(position);
+  app.flag("--motion", options.motion,
+           "with --creep: steps of a wheelset that hunts over irregular track, not creepages")
+      .needs(creep);
+  app.add("--practical", options.practical,
+          "instead of everything else: check pmax at accuracy 1e-2, its error estimates and its "
+          "warnings on this number of random scenes with built-in profiles in usual dimensions")
+      .within(1, 100000)
+      .excludes(scenes)
+      .excludes(random)
+      .excludes(accuracy_of)
+      .excludes(position)
+      .excludes(creep);
+  app.add("--threads", options.threads, "scenes solved at once; times depend on it")
+      .within(1, 1024)
+      .show_default();
+  app.add("--repeats", options.repeats, "largest number of timed solutions per scene and setting")
+      .within(1, 1000)
+      .show_default();
+  app.add("--json", options.json, "write all results as one JSON object").type("FILE");
+  app.add("--pictures", options.pictures, "draw tradeoff_*.png into an existing folder")
+      .type("FOLDER")
+      .existing_folder();
   app.footer("\nExamples:\n"
              "  wrc_tradeoff --threads 2 --json tradeoff.json --pictures docs/images\n"
              "  wrc_tradeoff --threads 2 --random 6000 --accuracy-of forces\n"
              "  wrc_tradeoff --threads 2 --position --accuracy-of forces\n"
              "  wrc_tradeoff --threads 2 --creep 500 --pictures docs/images\n"
              "  wrc_tradeoff --threads 2 --practical 1500\n");
-  return driver::run_program(app, argc, argv, [&options] {
+  return app.run(argc, argv, [&options] {
     if (options.creep > 0) {
       compare_creep_models(options);
       return 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/json.hpp"
 #include "support/numbers.hpp"
 #include "support/statistics.hpp"
 #include "wrcontact.hpp"

@@ -16,7 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "support/json.hpp"
+#include <nlohmann/json_fwd.hpp>
+
 #include "wrc_tradeoff/measure.hpp"
 
 namespace tradeoff {
@@ -47,6 +48,6 @@ struct PracticalMeasured {
 PracticalMeasured measure_practical(const Case& scene);
 
 void print_practical_summary(const std::vector<PracticalMeasured>& all, std::ostream& out);
-driver::json practical_json_of(const std::vector<PracticalMeasured>& all);
+nlohmann::json practical_json_of(const std::vector<PracticalMeasured>& all);
 
 } // namespace tradeoff

@@ -8,14 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "support/json.hpp"
+#include <nlohmann/json_fwd.hpp>
+
 #include "support/statistics.hpp"
 #include "wrc_tradeoff/measure.hpp"
 
 namespace tradeoff {
 
 void print_summary(const std::vector<Measured>& all, std::ostream& out);
-driver::json json_of(const std::vector<Measured>& all);
+nlohmann::json json_of(const std::vector<Measured>& all);
 
 /// Writes tradeoff_work_precision.png, tradeoff_asked.png, tradeoff_estimate.png and
 /// tradeoff_models.png (with models measured) into a folder that exists.

@@ -45,6 +45,31 @@ TEST(Reductions, FindTheLeastNumberAnywhere) {
   }
 }
 
+template <class Real> void expect_plain_products() {
+  const double rounding = 200.0 * std::numeric_limits<Real>::epsilon();
+  for (std::size_t count = 0; count <= most; ++count) {
+    const std::vector<double> values = numbers(count + 1);
+    const std::vector<Real> one(values.begin(), values.end() - 1);
+    const std::vector<Real> other(values.begin() + 1, values.end());
+    std::vector<Real> sum = one;
+    std::vector<Real> scaled(count);
+    add_scaled(sum.data(), -1.5, other.data(), count);
+    scale_to(scaled.data(), 0.25, one.data(), count);
+    double product = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      product += static_cast<double>(one[i]) * static_cast<double>(other[i]);
+      EXPECT_NEAR(sum[i], one[i] - 1.5 * other[i], rounding);
+      EXPECT_EQ(scaled[i], Real(0.25) * one[i]);
+    }
+    EXPECT_NEAR(dot(one.data(), other.data(), count), product, rounding) << count;
+  }
+}
+
+TEST(Reductions, MultiplyAndAddNumbersOfBothPrecisions) {
+  expect_plain_products<float>();
+  expect_plain_products<double>();
+}
+
 TEST(Reductions, FindWhatIsNotFiniteAnywhere) {
   EXPECT_TRUE(all_finite(nullptr, 0));
   for (std::size_t count = 1; count <= most; ++count) {

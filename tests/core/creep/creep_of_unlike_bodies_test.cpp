@@ -25,7 +25,7 @@ protected:
     request_.accuracy = 1e-2;
     request_.material.modulus = 82000.0;
     request_.material.poisson = 0.28;
-    request_.combined_modulus = wheel().details.combined_modulus;
+    request_.combined_modulus = wheel().details.request.combined_modulus;
   }
   [[nodiscard]] const WheelResult& wheel() const { return *result_.left; }
   [[nodiscard]] const PatchResult& patch() const { return wheel().patches.front(); }

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "creep/rolling_frame.hpp"
-#include "derivatives/wheel_sensitivities.hpp"
+#include "derivatives/wheel_rates.hpp"
 #include "support/state_differences.hpp"
 
 namespace wrc::test::force_jacobian_test {
@@ -250,7 +250,7 @@ TEST(JacobiansWithoutDerivatives, AreThoseOfNormalForcesOrAbsent) {
   scene.motion.reset();
   SceneResult without = solve_scene(scene);
   const ForceJacobian& jacobian = *without.left->jacobian();
-  EXPECT_EQ(jacobian[2][1], sensitivities_of(*without.left)->force.vertical.force.z);
+  EXPECT_EQ(jacobian[2][1], wheel_rates_of(*without.left)->force.vertical.force.z);
   EXPECT_EQ(jacobian[0][static_cast<std::size_t>(StateVariable::speed)], 0.0);
   scene.vertical = 500.0;
   SceneResult apart = solve_scene(scene);

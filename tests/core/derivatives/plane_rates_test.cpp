@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "profile/standard_profiles.hpp"
+#include "support/search_contacts.hpp"
 
 namespace wrc::test::plane_rates_test {
 namespace {
@@ -46,11 +47,11 @@ TEST_P(PlaneRatesOf, AreThoseOfCentralDifferences) {
   const WheelSurface wheel(standard_profile(c.wheel), {back_to_back, 70.0, 460.0});
   const RailSurface rail(standard_profile(c.rail), {1435.0, 14.0, std::atan(0.025)});
   const Pose pose{c.lateral, c.yaw, c.roll};
-  const ContactScan scan = search_contacts(wheel, rail, pose, 0.0, true);
+  const ContactScan scan = search_contacts(wheel, rail, pose, 0.0);
   const double height = -scan.candidates.front().distance - c.depth;
   const MovingPatches moving =
-      find_moving_patches(wheel, rail, pose, scan, c.depth, c.joining_distance);
-  const ContactPatches plain = find_contact_patches(scan, c.depth, c.joining_distance);
+      find_moving_patches(wheel, rail, pose, scan, c.depth, {c.joining_distance});
+  const ContactPatches plain = find_contact_patches(scan, c.depth, {c.joining_distance});
   ASSERT_EQ(moving.found.patches.size(), plain.patches.size());
   ASSERT_EQ(moving.rates.size(), plain.patches.size());
   for (std::size_t k = 0; k < plain.patches.size(); ++k) {
@@ -75,9 +76,9 @@ TEST_P(PlaneRatesOf, AreThoseOfCentralDifferences) {
            : motion == 1 ? z
            : motion == 2 ? at.roll
                          : at.yaw) += sign * (motion < 2 ? steps[i] : steps[i] / arm);
-          const ContactScan moved = search_contacts(wheel, rail, at, 0.0, true);
+          const ContactScan moved = search_contacts(wheel, rail, at, 0.0);
           return find_contact_patches(moved, -moved.candidates.front().distance - z,
-                                      c.joining_distance);
+                                      {c.joining_distance});
         };
         ahead[i] = found(1.0);
         behind[i] = found(-1.0);

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "support/brute_force.hpp"
 #include "support/errors.hpp"
+#include "support/search_contacts.hpp"
 #include "support/simple_profiles.hpp"
 
 namespace wrc::test::contact_search_test {
@@ -38,7 +39,7 @@ TEST_P(ContactSearch, AgreesWithBruteForceInTwoDimensions) {
   const WheelSurface wheel(standard_profile(c.wheel), {c.back_to_back, 70.0, c.radius});
   const RailSurface rail(standard_profile(c.rail), {1435.0, c.gauge_height, std::atan(0.025)});
   const Pose pose{c.lateral, c.yaw, c.roll};
-  const ContactScan scan = search_contacts(wheel, rail, pose, 0.5, false);
+  const ContactScan scan = search_contacts(wheel, rail, pose, 0.5);
   const ContactCandidate& contact = scan.candidates.front();
   const BruteForceContact reference = brute_force_contact(wheel, rail, pose);
   EXPECT_NEAR(contact.distance, reference.distance, distance_tolerance);
@@ -71,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Pairs, ContactSearch,
 TEST(ContactSearchNearContacts, ListsTreadAndFlangeBesideAJump) {
   const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
   const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, std::atan(0.025)});
-  const ContactScan scan = search_contacts(wheel, rail, {5.0, 0.0, 3.4e-4}, 0.1, true);
+  const ContactScan scan = search_contacts(wheel, rail, {5.0, 0.0, 3.4e-4}, 0.1);
   ASSERT_GE(scan.candidates.size(), 2u);
   EXPECT_LT(scan.candidates[0].distance, scan.candidates[1].distance);
   // Two contacts about 10 mm apart on the wheel, less than 0.1 mm different in height.
@@ -88,7 +89,7 @@ TEST(ContactSearchNearContacts, ListsTreadAndFlangeBesideAJump) {
 TEST(ContactSearchNearContacts, NearToleranceOfZeroLeavesOneContact) {
   const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
   const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, std::atan(0.025)});
-  EXPECT_EQ(search_contacts(wheel, rail, {5.0, 0.0, 3.4e-4}, 0.0, false).candidates.size(), 1u);
+  EXPECT_EQ(search_contacts(wheel, rail, {5.0, 0.0, 3.4e-4}, 0.0).candidates.size(), 1u);
 }
 
 TEST(ContactSearchKinks, RidgeOfTheWheelIsTheContact) {
@@ -99,7 +100,7 @@ TEST(ContactSearchKinks, RidgeOfTheWheelIsTheContact) {
   const Profile ridge{"ridge", ProfileKind::wheel, "", "", "", curve_of(segments)};
   const WheelSurface wheel(ridge, {1360.0, 70.0, 460.0});
   const RailSurface rail(circular_rail(300.0), {1435.0, 14.0, 0.0});
-  const ContactScan scan = search_contacts(wheel, rail, {1.5, 0.0, 1e-3}, 0.0, false);
+  const ContactScan scan = search_contacts(wheel, rail, {1.5, 0.0, 1e-3}, 0.0);
   EXPECT_NEAR(scan.candidates.front().wheel.lateral, 4.0, 1e-9);
   const BruteForceContact reference = brute_force_contact(wheel, rail, {1.5, 0.0, 1e-3});
   EXPECT_NEAR(scan.candidates.front().distance, reference.distance, distance_tolerance);
@@ -120,7 +121,7 @@ TEST(ContactSearch, TouchesARidgeUnderYawBetweenItsFlanks) {
   const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, 0.025});
   for (const double yaw : {-0.1, 0.01, 0.1, 0.2}) {
     const Pose pose{-84.0, yaw, 0.0};
-    const ContactScan scan = search_contacts(wheel, rail, pose, 0.0, true);
+    const ContactScan scan = search_contacts(wheel, rail, pose, 0.0);
     EXPECT_NEAR(scan.candidates.front().wheel.lateral, 60.0, 1e-9) << yaw;
     for (const DistanceSample& sample : scan.samples) {
       EXPECT_GE(sample.distance, scan.candidates.front().distance - 1e-9) << yaw;
@@ -142,7 +143,7 @@ TEST(ContactSearchFollow, FindsTheNearbyMinimumAtAnotherPose) {
     const LocusSpot from = search.least_spots(0.0).front();
     const auto followed = search.follow({3.0, yaw, 5e-4}, from);
     ASSERT_TRUE(followed.has_value());
-    const ContactScan all = search_contacts(wheel, rail, {3.0, yaw, 5e-4}, 10.0, false);
+    const ContactScan all = search_contacts(wheel, rail, {3.0, yaw, 5e-4}, 10.0);
     const bool known =
         std::any_of(all.candidates.begin(), all.candidates.end(), [&](const auto& candidate) {
           return std::abs(candidate.distance - followed->distance) < 1e-12;
@@ -154,7 +155,7 @@ TEST(ContactSearchFollow, FindsTheNearbyMinimumAtAnotherPose) {
 TEST(ContactSearchErrors, WheelOffTheRail) {
   const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
   const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, 0.025});
-  const auto search = [&] { search_contacts(wheel, rail, {500.0, 0.0, 0.0}, 0.0, false); };
+  const auto search = [&] { search_contacts(wheel, rail, {500.0, 0.0, 0.0}, 0.0); };
   expect_error(ErrorCode::no_contact, search, "wheel off the rail");
 }
 
@@ -162,7 +163,7 @@ TEST(ContactSearchEnds, FlangeTipOnTheRailIsNotAProfileEnd) {
   // The tip is an arc of radius 12 about s = -55: the contact lies where its normal is the rail's.
   const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
   const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, 0.025});
-  const auto climbing = search_contacts(wheel, rail, {40.0, 0.0, 0.0}, 0.0, false);
+  const auto climbing = search_contacts(wheel, rail, {40.0, 0.0, 0.0}, 0.0);
   EXPECT_FALSE(climbing.candidates.front().at_profile_end);
   EXPECT_NEAR(climbing.candidates.front().wheel.lateral,
               -55.0 + 12.0 * std::sin(climbing.candidates.front().rail_angle), 1e-6);
@@ -180,7 +181,7 @@ TEST(ContactSamples, FollowARidgeUnderYaw) {
   EXPECT_NEAR(s, 60.0, 1e-9);
   const Pose pose{-20.0, 0.08, 0.0};
   std::vector<Vector3> on_ridge;
-  for (const DistanceSample& sample : search_contacts(wheel, rail, pose, 0.0, true).samples) {
+  for (const DistanceSample& sample : search_contacts(wheel, rail, pose, 0.0).samples) {
     if (std::abs(sample.wheel.lateral - s) < 1e-9) {
       on_ridge.push_back(sample.wheel.position);
     }
@@ -198,7 +199,7 @@ TEST(ContactSamples, FollowARidgeUnderYaw) {
     EXPECT_LT(std::abs(on_ridge[i].x - on_ridge[i - 1].x), 6.0);
     EXPECT_GT(on_ridge[i].y, on_ridge[i - 1].y);
   }
-  const auto level = search_contacts(wheel, rail, {-20.0, 0.0, 0.0}, 0.0, true).samples;
+  const auto level = search_contacts(wheel, rail, {-20.0, 0.0, 0.0}, 0.0).samples;
   EXPECT_EQ(std::count_if(level.begin(), level.end(),
                           [s](const DistanceSample& sample) {
                             return std::abs(sample.wheel.lateral - s) < 1e-9;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,20 +30,19 @@ double wheel_height(const WheelSurface& wheel, const Pose& pose, double x, doubl
   return bisected(-wheel.radius() - 60.0, -0.5 * wheel.radius(), [&](double z) {
     Vector3 body = rotation.to_body({x, y - pose.lateral, z});
     body.y -= wheel.taping_line();
-    const double height = wheel.varying() != nullptr ? wheel.over(body)->height
-                                                     : wheel.graph().at_lateral(body.y).height;
-    return wheel.radius() + height - std::hypot(body.x, body.z);
+    return wheel.radius() + wheel.over(body)->height - std::hypot(body.x, body.z);
   });
 }
 
-double rail_height(const RailSurface& rail, double x, double y) {
-  if (rail.varying() == nullptr)
+/// `slices`: none of a prismatic rail.
+double rail_height(const RailSurface& rail, const SlicedSurface* slices, double x, double y) {
+  if (slices == nullptr)
     return rail.graph().at_lateral(y).height;
   return bisected(-40.0, 20.0, [&](double z) {
     double lateral = 0.0;
     double height = 0.0;
     rail.to_profile_frame(y, z, lateral, height);
-    return height - rail.varying()->over(rail.along() + x, lateral)->height;
+    return height - slices->over(rail.along() + x, lateral)->height;
   });
 }
 
@@ -60,6 +60,7 @@ struct Bodies {
   const char* name;
   WheelSurface wheel;
   RailSurface rail;
+  std::shared_ptr<const SlicedSurface> slices{}; ///< of the rail
 };
 
 std::vector<Bodies> all_bodies() {
@@ -72,16 +73,17 @@ std::vector<Bodies> all_bodies() {
   TrackDimensions inclined = level_track;
   inclined.cant = 0.025;
   const RailSurface level(standard_profile("60E1"), level_track);
+  const auto slices = sliced_rail(wavy_rail(), 0.0);
   const RailSurface varying = rail_of(wavy_rail(), 3.31);
   const RailSurface turned = rail_of(wavy_rail(), -7.27, inclined, {0.3, -0.4, 0.015});
   return {{"round on constant", round, level},
           {"wavy on constant", wavy, level},
           {"flat on constant", flat, level},
-          {"round on varying", round, varying},
-          {"wavy on varying", wavy, varying},
-          {"flat on inclined varying", flat, turned},
-          {"round on inclined varying", round, turned},
-          {"wavy on inclined varying", wavy, turned}};
+          {"round on varying", round, varying, slices},
+          {"wavy on varying", wavy, varying, slices},
+          {"flat on inclined varying", flat, turned, slices},
+          {"round on inclined varying", round, turned, slices},
+          {"wavy on inclined varying", wavy, turned, slices}};
 }
 
 const std::vector<Pose> poses{
@@ -95,7 +97,8 @@ TEST(GapField, IsTheDistanceOfBothSurfaces) {
         for (const double y : {738.0, 746.3, 751.1, 765.0}) {
           const auto point = field.at(x, y);
           ASSERT_TRUE(point) << bodies.name << ' ' << x << ' ' << y;
-          EXPECT_NEAR(point->rail.value, rail_height(bodies.rail, x, y), 1e-11) << bodies.name;
+          EXPECT_NEAR(point->rail.value, rail_height(bodies.rail, bodies.slices.get(), x, y), 1e-11)
+              << bodies.name;
           EXPECT_NEAR(point->rail.value + point->gap.value, wheel_height(bodies.wheel, pose, x, y),
                       1e-11)
               << bodies.name << ' ' << x << ' ' << y;

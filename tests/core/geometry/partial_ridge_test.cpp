@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "geometry/contact_search.hpp"
 #include "support/brute_force.hpp"
+#include "support/search_contacts.hpp"
 #include "support/simple_profiles.hpp"
 
 namespace wrc::test::partial_ridge_test {
@@ -24,7 +25,7 @@ TEST(PartialRidge, ContainsTheFirstContact) {
   const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 5000.0});
   const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, std::atan(0.025)});
   const Pose pose{-50.0, 0.2, -0.014};
-  const ContactScan scan = search_contacts(wheel, rail, pose, 0.5, true);
+  const ContactScan scan = search_contacts(wheel, rail, pose, 0.5);
   const double reference = brute_force_contact(wheel, rail, pose).distance;
   EXPECT_NEAR(scan.candidates.front().distance, reference, distance_tolerance);
 }
@@ -47,7 +48,7 @@ TEST(PartialRidge, NoSampleIsBelowTheFirstContact) {
         continue;
       }
       ++over_the_rail;
-      const ContactScan scan = contacts_of(search, 0.1, true);
+      const ContactScan scan = contacts_of(search, 0.1);
       const auto lowest = std::ranges::min_element(scan.samples, {}, &DistanceSample::distance);
       EXPECT_GE(lowest->distance, scan.candidates.front().distance - rounding)
           << name << ", radius " << wheel.radius() << ", lateral " << pose.lateral << ", yaw "

@@ -1,4 +1,4 @@
-/// Lines that meet rails that vary, against bisection along the line.
+/// Lines that meet rails through slices, against bisection along the line, and prismatic ones.
 #include "geometry/rail_line.hpp"
 
 #include <cmath>
@@ -20,7 +20,8 @@ SlicedProfile rising_rail() {
 }
 
 /// Position along a line at which it passes through the highest surface.
-double bisected(const RailSurface& rail, const Vector3& base, const Vector3& direction) {
+double bisected(const RailSurface& rail, const SlicedSurface& slices, const Vector3& base,
+                const Vector3& direction) {
   double low = -30.0;
   double high = 30.0;
   for (int i = 0; i < 80; ++i) {
@@ -29,12 +30,13 @@ double bisected(const RailSurface& rail, const Vector3& base, const Vector3& dir
     double lateral = 0.0;
     double height = 0.0;
     rail.to_profile_frame(at.y, at.z, lateral, height);
-    (height < rail.varying()->over(rail.along() + at.x, lateral)->height ? low : high) = middle;
+    (height < slices.over(rail.along() + at.x, lateral)->height ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }
 
 void expect_met(const RailSurface& rail, double along_slope, double across_slope) {
+  const auto slices = sliced_rail(rising_rail(), 0.0);
   RailLine line(rail);
   const double length = std::hypot(1.0, along_slope, across_slope);
   const Vector3 direction{along_slope / length, across_slope / length, 1.0 / length};
@@ -43,7 +45,7 @@ void expect_met(const RailSurface& rail, double along_slope, double across_slope
       const Vector3 base{x, y, 0.05 * (rail.along() + x)};
       const auto position = line.meet(base, direction);
       ASSERT_TRUE(position) << x << ' ' << y;
-      EXPECT_NEAR(*position, bisected(rail, base, direction), 2e-12) << x << ' ' << y;
+      EXPECT_NEAR(*position, bisected(rail, *slices, base, direction), 2e-12) << x << ' ' << y;
     }
 }
 
@@ -75,13 +77,13 @@ SlicedProfile two_parts() {
 
 TEST(RailLine, GoesOverFromOneSheetToTheNext) {
   const RailSurface rail = rail_of(two_parts(), 45.0);
-  ASSERT_EQ(rail.varying()->sheets().size(), 2U);
+  ASSERT_EQ(sliced_rail(two_parts(), 0.0)->sheets().size(), 2U);
   RailLine line(rail);
   for (double y = 725.0; y < 776.0; y += 0.37) { // on from where the last line met, over the seam
-    const auto height = line.meet({1.0, y, 0.0}, {0.0, 0.0, 1.0});
-    ASSERT_TRUE(height) << y;
-    EXPECT_NEAR(*height, crown_at(y - 750.0).value, 1e-9) << y;
-    EXPECT_NEAR(line.graph().by_lateral, crown_at(y - 750.0).first, 1e-9) << y;
+    const auto point = line.height(1.0, y);
+    ASSERT_TRUE(point) << y;
+    EXPECT_NEAR(point->height, crown_at(y - 750.0).value, 1e-9) << y;
+    EXPECT_NEAR(point->by_lateral, crown_at(y - 750.0).first, 1e-9) << y;
   }
   for (const double y : {749.9999, 750.0, 750.0001}) { // at the seam, from either side
     line.restart();
@@ -108,6 +110,46 @@ TEST(RailLine, ClampsToTheSectionAtTheWheelsetWhereNoRailIs) {
   const RailSurface rail = rail_of(two_parts(), 45.0);
   EXPECT_EQ(height_near(rail, 20.0, 740.0), rail.graph().at_lateral(740.0).height);
   EXPECT_NEAR(height_near(rail, 20.0, 760.0), crown_at(10.0).value, 1e-9);
+  for (const double y : {740.0, 760.0})
+    EXPECT_NEAR(graph_near(rail, 20.0, y).height, height_near(rail, 20.0, y), 1e-11) << y;
+}
+
+/// By how much the unit normal changes along a way.
+Vector3 turn_of(const RailLine& line, const Vector3& way) {
+  const SurfaceNormal surface = line.normal();
+  const Vector3 change = dot(surface.across, way) * surface.by_across + way.x * surface.by_along;
+  const double length = norm(surface.normal);
+  const Vector3 unit = (1.0 / length) * surface.normal;
+  return (1.0 / length) * (change - dot(unit, change) * unit);
+}
+
+/// The same rail, known to be prismatic and through equal slices.
+TEST(RailLine, MeetsACurveAsItMeetsEqualSlices) {
+  const SlicedProfile slices = crown_along({-100.0, 0.0, 100.0}, [](double) { return 0.0; });
+  const RailSurface sliced = rail_of(slices);
+  const RailSurface prismatic(first_of(slices, ProfileKind::rail), level_track);
+  EXPECT_TRUE(prismatic.is_prismatic_along({-2.0, 0.0, 0.0}));
+  EXPECT_FALSE(prismatic.is_prismatic_along({1.0, 1e-3, 0.0}));
+  EXPECT_FALSE(sliced.is_prismatic_along(along_track));
+  EXPECT_FALSE(prismatic.nearest_end(0.0));
+  EXPECT_EQ(sliced.nearest_end(90.0).value().place, 100.0);
+  EXPECT_EQ(sliced.nearest_end(90.0).value().distance, 10.0);
+  RailLine one(prismatic, 750.0);
+  RailLine other(sliced, 750.0);
+  for (const double across : {0.0, 0.1, -0.3})
+    for (double y = 728.0; y <= 772.0; y += 4.3) {
+      const Vector3 base{3.0, y, -1.0};
+      const Vector3 direction = (1.0 / std::hypot(1.0, across)) * Vector3{0.0, across, 1.0};
+      const Vector3 beside = cross(direction, along_track);
+      EXPECT_NEAR(one.meet(base, direction).value(), other.meet(base, direction).value(), 1e-11);
+      EXPECT_NEAR(one.lateral(), other.lateral(), 1e-11);
+      EXPECT_NEAR(one.inclination(beside, direction), other.inclination(beside, direction), 1e-12);
+      const Vector3 way = cross(one.normal().normal, along_track);
+      EXPECT_LT(norm(turn_of(one, way) - turn_of(other, way)), 1e-9);
+      EXPECT_NEAR(one.height(3.0, y).value().height, other.height(3.0, y).value().height, 1e-11);
+      EXPECT_NEAR(one.height(3.0, y).value().by_lateral2, other.height(3.0, y).value().by_lateral2,
+                  1e-9);
+    }
 }
 
 } // namespace

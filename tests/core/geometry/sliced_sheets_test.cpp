@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "geometry/sliced_sheets.hpp"
+#include "geometry/sliced_surface.hpp"
 #include "geometry/varying_shapes.hpp"
-#include "geometry/varying_wheel.hpp"
 #include "profile/limits.hpp"
 #include "support/errors.hpp"
 
@@ -104,9 +104,9 @@ TEST(SlicedSheets, ASmoothingLengthTooLongForTheSlicesIsRefusedInItsOwnUnit) {
   const Curve curve = curve_of([](double y) { return crown_at(y); });
   SlicedProfile wheel = profile_of({0.0, 0.01, 0.5, 3.0}, [&](double) { return curve; });
   wheel.kind = ProfileKind::wheel;
-  EXPECT_NO_THROW(VaryingWheel(wheel, 460.0, {}, 4500.0));
+  EXPECT_NO_THROW((void)sliced_wheel(wheel, 460.0, {}, 4500.0));
   test::expect_error(
-      ErrorCode::invalid_argument, [&] { VaryingWheel(wheel, 460.0, {}, 5000.0); },
+      ErrorCode::invalid_argument, [&] { (void)sliced_wheel(wheel, 460.0, {}, 5000.0); },
       "= 5000 mm: at most 4600 mm, 1000 times the smallest distance between two slices, 4.6 mm");
   const double revolution = 2.0 * std::numbers::pi;
   test::expect_error(

@@ -13,6 +13,7 @@
 #include "geometry/varying_shapes.hpp"
 #include "geometry/wheelset_equilibrium.hpp"
 #include "support/brute_force.hpp"
+#include "support/search_contacts.hpp"
 #include "support/simple_profiles.hpp"
 
 namespace wrc::test::varying_search_test {
@@ -207,11 +208,11 @@ TEST(VaryingSearch, FindsWhatTheLocusFindsOnOneProfile) {
   const SlicedProfile slices =
       profile_of(places_every(-200.0, 200.0, 100.0), [&](double) { return e60.curve; });
   const RailSurface varying =
-      RailSurface(std::make_shared<const VaryingRail>(slices, 0.0), e60, track).posed({}, 0.0);
+      RailSurface(sliced_rail(slices, 0.0), e60.curve, track).posed({}, 0.0);
   const WheelSurface wavy = wavy_wheel(s1002.curve, {{7, 0.0, 0.0}}, 0.4);
   for (const Pose& pose : {Pose{0.0, 0.0, 0.0}, Pose{3.0, 0.01, 0.002}, Pose{6.5, -0.02, 0.01},
                            Pose{-6.0, 0.03, -0.01}}) {
-    const ContactScan scan = search_contacts(round, constant, pose, 0.1, true);
+    const ContactScan scan = search_contacts(round, constant, pose, 0.1);
     for (const auto& [wheel, rail] :
          {std::pair(&round, &varying), {&wavy, &constant}, {&wavy, &varying}}) {
       VaryingSearch search(*wheel, *rail);

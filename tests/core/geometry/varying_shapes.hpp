@@ -93,8 +93,7 @@ inline Profile first_of(const SlicedProfile& sliced, ProfileKind kind) {
 inline RailSurface rail_of(const SlicedProfile& sliced, double along = 0.0,
                            const TrackDimensions& track = level_track,
                            const RailDisplacement& displacement = {}) {
-  return RailSurface(std::make_shared<const VaryingRail>(sliced, 0.0),
-                     first_of(sliced, ProfileKind::rail), track)
+  return RailSurface(sliced_rail(sliced, 0.0), sliced.slices.front().curve, track)
       .posed(displacement, along);
 }
 
@@ -111,29 +110,31 @@ inline SlicedProfile tilted_crown(const std::vector<double>& places, double angl
   return profile_of(places, [&](double x) { return section.moved(0.0, 0.0, x * std::tan(angle)); });
 }
 
-inline WheelSurface wheel_of(std::shared_ptr<const VaryingWheel> wheel, double pitch = 0.0) {
+struct SlicedWheel {
+  std::shared_ptr<const SlicedSurface> slices;
+  double radius;
+};
+
+inline WheelSurface wheel_of(const SlicedWheel& wheel, double pitch = 0.0) {
   WheelsetDimensions dimensions = wheelset;
-  dimensions.radius = wheel->radius();
-  return WheelSurface(std::move(wheel), dimensions, pitch);
+  dimensions.radius = wheel.radius;
+  return WheelSurface(wheel.slices, dimensions, pitch);
 }
 
 /// A profile with harmonics, on a radius of 460 mm.
 inline WheelSurface wavy_wheel(const Curve& profile, std::vector<RadiusHarmonic> harmonics,
                                double pitch = 0.0) {
-  return wheel_of(
-      std::make_shared<const VaryingWheel>(profile, wheelset.radius, std::move(harmonics)), pitch);
+  return wheel_of({sliced_wheel(profile, wheelset.radius, std::move(harmonics)), wheelset.radius},
+                  pitch);
 }
 
 /// A cylinder, lower by a depth that depends on the angle, with slices `step` apart up to `end`.
-inline std::shared_ptr<const VaryingWheel>
-flattened_cylinder(double radius, double end, double step,
-                   const std::function<double(double)>& depth) {
-  return std::make_shared<const VaryingWheel>(
-      profile_of(places_every(-end, end, step),
-                 [&](double theta) {
-                   return curve_of([&](double) { return Height{-depth(theta), 0.0, 0.0}; });
-                 }),
-      radius);
+inline SlicedWheel flattened_cylinder(double radius, double end, double step,
+                                      const std::function<double(double)>& depth) {
+  const SlicedProfile profile = profile_of(places_every(-end, end, step), [&](double theta) {
+    return curve_of([&](double) { return Height{-depth(theta), 0.0, 0.0}; });
+  });
+  return {sliced_wheel(profile, radius), radius};
 }
 
 /// Depth of a chord of this length about angle 0 in a circle.

@@ -23,8 +23,7 @@ std::vector<WheelSurface> wheels() {
 }
 
 double radius_at(const WheelSurface& wheel, const Vector3& point) {
-  return wheel.radius() + (wheel.varying() != nullptr ? wheel.over(point)->height
-                                                      : wheel.graph().at_lateral(point.y).height);
+  return wheel.radius() + wheel.over(point)->height;
 }
 
 double function_at(const WheelSurface& wheel, const Vector3& point) {

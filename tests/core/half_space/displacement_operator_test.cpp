@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "extent.hpp"
 #include "half_space/influence_coefficients.hpp"
 #include "support/errors.hpp"
 
@@ -53,7 +54,7 @@ std::vector<double> dense_product(const Grid& grid, const std::vector<double>& p
 TEST(DisplacementOperator, EqualsTheDenseSum) {
   const std::vector<std::pair<std::size_t, std::size_t>> sizes{
       {1, 1}, {1, 7}, {13, 1}, {2, 3}, {16, 16}, {17, 31}, {40, 9}, {37, 29}};
-  for (const auto& [rows, columns] : sizes) {
+  for (const auto& [rows, columns] : some_of(sizes, 4)) {
     for (const double aspect : {1.0 / 200.0, 1.0, 2.5, 100.0}) {
       const Grid grid{rows, columns, 0.1, 0.1 * aspect, -3.0, 4.0};
       const std::vector<double> pressure = random_pressure(grid.element_count());

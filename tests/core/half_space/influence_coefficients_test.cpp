@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "extent.hpp"
+
 namespace wrc::test::influence_coefficients_test {
 namespace {
 
@@ -16,7 +18,7 @@ namespace {
 /// first neglected term of the expansion.
 constexpr double relative_tolerance = 1e-12;
 
-constexpr std::array<double, 7> aspect_ratios{1.0 / 200.0, 1.0 / 30.0, 0.5, 1.0, 3.0, 30.0, 100.0};
+const std::vector<double> aspect_ratios{1.0 / 200.0, 1.0 / 30.0, 0.5, 1.0, 3.0, 30.0, 100.0};
 
 long double primitive(long double x, long double y) {
   const long double first = x == 0.0L ? 0.0L : x * std::asinh(y / std::abs(x));
@@ -130,7 +132,7 @@ long double smooth_reference(long double x, long double y, long double a, long d
 
 TEST(InfluenceCoefficients, TablesEqualTheReference) {
   constexpr std::size_t near_columns = 40;
-  for (const double aspect : aspect_ratios) {
+  for (const double aspect : some_of(aspect_ratios, 3)) {
     // Longer than the near field along one of the sides.
     const std::size_t columns = aspect > 1.0 ? static_cast<std::size_t>(18.0 * aspect) : 20;
     const std::size_t rows = aspect < 1.0 ? static_cast<std::size_t>(18.0 / aspect) : 20;

@@ -105,6 +105,26 @@ TEST_F(SceneFile, AGivenWheelKeepsItsTilt) {
   EXPECT_TRUE(contains(text, "profile_rotation = 0.0\n")) << text;
 }
 
+/// Whatever places profiles from files in the scene.
+TEST_F(SceneFile, AGivenWheelStaysWhereItIs) {
+  ReadOptions options;
+  options.kind = ProfileKind::wheel;
+  const std::vector<Position> points{{-60.0, 10.0}, {-50.0, 28.0}, {-30.0, 8.0},
+                                     {0.0, 0.0},    {30.0, -1.0},  {60.0, -2.0}};
+  Scene scene;
+  set_profile(scene, "wheelset.wheel", profile_through(points, "worn", options).profile);
+  scene.wheel_placement.lateral_shift = 2.0;
+  const std::string text = written(scene);
+  EXPECT_TRUE(contains(text, "profile_shift = 0.0\n")) << text;
+  EXPECT_TRUE(contains(text, "profile_origin = \"tape\"\n"));
+}
+
+TEST_F(SceneFile, KeepsWavesOfTheRadius) {
+  Scene scene;
+  scene.left.wheel.harmonics = scene.right.wheel.harmonics = {{3, 0.1, 0.5}};
+  EXPECT_TRUE(contains(written(scene), "harmonics = [3.0, 0.1, 0.5]\n")) << written(scene);
+}
+
 TEST_F(SceneFile, UnwritablePathIsAnError) {
   EXPECT_THROW(write_scene(Scene{}, folder_ / "none" / "scene.toml"), Error);
 }

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/varying_search.hpp"
+#include "geometry/varying_shapes.hpp"
 #include "profile/profile.hpp"
 #include "support/simple_profiles.hpp"
 
@@ -72,6 +74,40 @@ TEST(ContactStrips, RatesAndCurvatureAreThoseOfDifferences) {
     EXPECT_NEAR((after->rail.z - before->rail.z) / (after->rail.y - before->rail.y),
                 here->rail_slope, 1e-6);
   }
+}
+
+/// The same bodies, known to be prismatic and through equal slices.
+TEST(ContactStrips, BetweenTheRowsOfASearchAreThoseOfTheLocus) {
+  const Profile e60 = standard_profile("60E1");
+  const TrackDimensions track{1435.0, 14.0, 0.025};
+  const WheelSurface wheel(standard_profile("S1002"), dimensions);
+  const RailSurface rail(e60, track);
+  const SlicedProfile slices = profile_of({-200.0, 200.0}, [&](double) { return e60.curve; });
+  const RailSurface sliced = RailSurface(sliced_rail(slices), e60.curve, track).posed({}, 0.0);
+  const Pose pose{2.0, 0.01, 0.0};
+  VaryingSearch search(wheel, sliced);
+  ASSERT_TRUE(search.try_scan(pose));
+  const ContactScan scan = search.scans(0.1).front();
+  const ContactStrips strips(wheel, rail, pose);
+  const ContactStrips of_rows(wheel, sliced, pose, scan.samples);
+  const double top = scan.candidates.front().wheel.lateral;
+  for (const double s : {top - 3.1, top - 0.7, top, top + 2.3}) {
+    const auto one = strips.at(s);
+    const auto other = of_rows.at(s);
+    ASSERT_TRUE(one && other) << s;
+    EXPECT_NEAR(other->distance, one->distance, 1e-5) << s;
+    EXPECT_LT(norm(other->rail - one->rail), 1e-2) << s; // the middle of a row for its least gap
+    EXPECT_NEAR(other->rail_slope, one->rail_slope, 1e-4) << s;
+    EXPECT_EQ(other->rail_rise, 0.0) << s;
+    EXPECT_NEAR(other->lateral_rate, one->lateral_rate, 1e-4) << s;
+    EXPECT_NEAR(other->longitudinal_rate, one->longitudinal_rate, 1e-2) << s;
+    EXPECT_NEAR(other->longitudinal_curvature, one->longitudinal_curvature,
+                5e-3 * one->longitudinal_curvature) // of the parabola 0.1 mm deep
+        << s;
+    EXPECT_NEAR(other->lateral_curvature, one->lateral_curvature, 2e-2 / 300.0) << s;
+  }
+  EXPECT_FALSE(of_rows.at(200.0));
+  EXPECT_FALSE(ContactStrips(wheel, sliced, pose).at(top)); // without rows
 }
 
 TEST(ContactStrips, EndWithTheProfiles) {

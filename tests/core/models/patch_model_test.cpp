@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "models/hertz.hpp"
+#include "support/search_contacts.hpp"
 #include "support/simple_profiles.hpp"
 
 namespace wrc::test::patch_model_test {
@@ -21,7 +22,7 @@ class PatchModels : public testing::Test {
 protected:
   WheelSurface wheel_{cylindrical_wheel(), {1360.0, 70.0, wheel_radius}};
   RailSurface rail_{circular_rail(crown_radius), {1435.0, 14.0, 0.0}};
-  ContactScan scan_ = search_contacts(wheel_, rail_, {}, 1.0, true);
+  ContactScan scan_ = search_contacts(wheel_, rail_, {}, 1.0);
   ContactStrips strips_{wheel_, rail_, {}};
   ModelWheel side_{scan_, strips_, -scan_.candidates.front().distance, modulus};
 

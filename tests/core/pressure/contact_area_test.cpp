@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "extent.hpp"
 #include "mechanics/normal_solver.hpp"
 #include "models/hertz.hpp"
 #include "pressure/constants.hpp"
@@ -134,7 +135,7 @@ TEST(ContactArea, SampledEllipsesAreTooLargeByTheShiftOfTheEdge) {
 
 TEST(ContactArea, SolvedEllipsesAreBetterThanCounted) {
   NormalSolver solver;
-  for (const double across : {3.0, 6.0, 10.0, 16.0, 24.0, 48.0, 96.0}) {
+  for (const double across : some_of({3.0, 6.0, 10.0, 16.0, 24.0, 48.0, 96.0}, 4)) {
     // As documented: order two down to a remainder of the first.
     for (const auto& [elements, second, first] :
          {std::tuple{Elements::constant, 0.8, 0.03}, {Elements::smooth, 0.5, 0.013}}) {

@@ -73,7 +73,7 @@ TEST(MeanCurve, DistancesAreAlongItsNormals) {
   ASSERT_TRUE(frame.curve);
   const Grid grid{15, 3, 1.8, 0.4, -12.6, -0.4};
   const RailNormals rail(contact.rail, frame, grid);
-  const std::vector<double> distance = sample_undeformed_distance(contact.pair, frame, grid, rail);
+  const std::vector<double> distance = sample_undeformed_distance(contact.pair, frame, grid, &rail);
   for (std::size_t row = 0; row < grid.lateral_count; ++row) {
     const ContactCurve::Point point = frame.curve->at(grid.lateral(row));
     const double on_rail = to_circle(point, -crown, crown);

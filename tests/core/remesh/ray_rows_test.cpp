@@ -3,9 +3,11 @@
 #include <array>
 #include <cmath>
 #include <ostream>
+#include <span>
 
 #include <gtest/gtest.h>
 
+#include "geometry/varying_shapes.hpp"
 #include "geometry/wheelset_equilibrium.hpp"
 #include "patches/contact_patches.hpp"
 #include "remesh/undeformed_distance.hpp"
@@ -101,17 +103,23 @@ INSTANTIATE_TEST_SUITE_P(Areas, RayRows,
                                          Case{"flank", 5.5, 0.03, GapConvention::tangent, 12.0},
                                          Case{"flank", 5.5, 0.03, GapConvention::vertical, 14.0}));
 
+/// With the profile's origin at the track's centre.
+RailSurface level_rail(std::span<const Segment> segments) {
+  return RailSurface({"rail", ProfileKind::rail, "", "", "", curve_of(segments)},
+                     {1435.0, 14.0, 0.0, 0.0});
+}
+
 TEST(RayRowsKink, RowsAcrossAKinkMeetBothSides) {
   // A roof of slopes -1/2 and +1/2 under upright rays that run obliquely across its ridge.
   const std::array<Segment, 2> segments{
       Segment{"left", LineSegment{{{-20.0, -10.0}}, {{0.0, 0.0}}}},
       Segment{"right", LineSegment{{{0.0, 0.0}}, {{20.0, -10.0}}}}};
-  const CurveGraph graph(curve_of(segments), 10.0);
+  const RailSurface rail = level_rail(segments);
   std::vector<double> longitudinal;
   for (int i = -15; i <= 15; ++i) {
     longitudinal.push_back(i + 0.25);
   }
-  RaySurface surface(graph.heights(), std::nullopt, longitudinal.size());
+  RaySurface surface(rail, longitudinal.size());
   const RowOfRays rays{
       {0.0, 0.0, 5.0}, {1.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, longitudinal.data(), longitudinal.size()};
   surface.meet(rays, 0.25);
@@ -124,9 +132,9 @@ TEST(RayRowsKink, RowsAcrossAKinkMeetBothSides) {
 TEST(RayRowsEnds, RaysBesideTheProfileMiss) {
   const std::array<Segment, 1> segments{
       Segment{"plate", LineSegment{{{-10.0, 0.0}}, {{10.0, 0.0}}}}};
-  const CurveGraph graph(curve_of(segments), 10.0);
+  const RailSurface rail = level_rail(segments);
   const std::array<double, 4> longitudinal{-10.5, -9.5, 9.5, 10.5};
-  RaySurface surface(graph.heights(), std::nullopt, longitudinal.size());
+  RaySurface surface(rail, longitudinal.size());
   const bool all = surface.meet(
       {{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, longitudinal.data(), longitudinal.size()},
       0.0);
@@ -139,15 +147,13 @@ TEST(RayRowsEnds, RaysBesideTheProfileMiss) {
   EXPECT_FALSE(surface.met(1));
 }
 
-TEST(UndeformedDistance, MemoryOfAnotherGridIsReused) {
-  const WheelSurface wheel(cylindrical_wheel(), {1360.0, 70.0, 460.0});
-  const RailSurface rail(circular_rail(300.0), {1435.0, 14.0, 0.0});
-  const PosedPair pair{wheel, rail, {}, 460.0};
-  const ContactFrame frame = tangent_frame({0.0, 752.5, 0.0}, 0.0);
-  const Grid grid = grid_over({-5.0, 5.0, -5.0, 5.0}, 9, 13);
-  std::vector<double> distance(1000, -7.0);
-  sample_undeformed_distance(pair, frame, grid, distance);
-  EXPECT_EQ(distance, sample_undeformed_distance(pair, frame, grid));
+TEST(RayRowsSlices, AreLeftToSingleRays) {
+  const RailSurface rail = rail_of(crown_along({0.0, 10.0}, [](double) { return 0.0; }), 5.0);
+  const std::array<double, 2> longitudinal{-1.0, 1.0};
+  RaySurface surface(rail, longitudinal.size());
+  EXPECT_FALSE(surface.meet(
+      {{0.0, 750.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, longitudinal.data(), 2}, 750.0));
+  EXPECT_FALSE(surface.met(0));
 }
 
 } // namespace

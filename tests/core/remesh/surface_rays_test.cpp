@@ -43,8 +43,7 @@ TEST_F(SurfaceRays, TheRailsInclinationIsToTheRowsOfTheFrame) {
     RailRay ray(rail, frame);
     for (const double lateral : {-20.0, 0.0, 5.0}) {
       ASSERT_TRUE(ray.solve(0.0, lateral));
-      const double of_circle =
-          std::atan2(ray.point().tangent_height, ray.point().tangent_lateral) - frame.angle();
+      const double of_circle = ray.line().angle() - frame.angle();
       EXPECT_NEAR(ray.inclination(lateral), std::tan(of_circle), ray_tolerance) << angle;
     }
   }

@@ -90,7 +90,7 @@ TEST_F(CombinedContact, TheGridIsCoarserForDistantParts) {
 TEST_F(CombinedContact, DisplacementsEqualThoseOfTheParts) {
   PatchResult whole = whole_of({part_at(-3.0, 300.0), part_at(3.0, 100.0)});
   WheelDetails details;
-  details.combined_modulus = 1e5;
+  details.request.combined_modulus = 1e5;
   const auto displaced = [&](double weight) {
     whole.parts[0].coupling_weight = whole.parts[1].coupling_weight = weight;
     return combined_displacement(whole, details);

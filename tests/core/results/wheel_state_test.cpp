@@ -67,7 +67,7 @@ TEST(WheelWarnings, SeveralPatchesAreNumbered) {
 
 TEST(WheelWarnings, PressuresBeyondSteelAreReportedWithTheirPatch) {
   WheelResult wheel;
-  wheel.details.combined_modulus = 115e3;
+  wheel.details.request.combined_modulus = 115e3;
   wheel.patches.resize(2);
   wheel.patches[1].pmax = wheel.pmax = 0.999 * hardest_steel;
   warn_of_pressure(wheel);
@@ -78,7 +78,7 @@ TEST(WheelWarnings, PressuresBeyondSteelAreReportedWithTheirPatch) {
   EXPECT_EQ(wheel.warnings.front().kind, WarningClass::pressure);
   EXPECT_TRUE(wheel.warnings.front().text.starts_with("patch 1: "));
   wheel.warnings.clear();
-  wheel.details.combined_modulus = 1.001 * stiffest_steel;
+  wheel.details.request.combined_modulus = 1.001 * stiffest_steel;
   warn_of_pressure(wheel);
   EXPECT_TRUE(wheel.warnings.empty()) << "stiffer than steel";
 }

@@ -102,7 +102,7 @@ std::vector<Told> solve_on_equal_grids(const Scene& scene, double element, doubl
   }
   NormalProblem problem;
   problem.patches = gaps;
-  problem.combined_modulus = details.combined_modulus;
+  problem.combined_modulus = details.request.combined_modulus;
   problem.load = load;
   problem.interaction = details.interaction ? &*details.interaction : nullptr;
   const NormalSolution solution = NormalSolver().solve(problem);

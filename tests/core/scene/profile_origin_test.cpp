@@ -119,7 +119,7 @@ TEST_F(ProfileOrigin, AWheelIsTurnedOrAlignedByKeys) {
   EXPECT_TRUE(tells(aligned.corrections, "aligned to S1002: turned by -1.0"));
   EXPECT_NEAR(aligned.left->pmax, turned.left->pmax, 10.0);
   set_text(scene, "wheelset.align_to", "none");
-  EXPECT_TRUE(scene.align_to.empty());
+  EXPECT_TRUE(scene.wheel_placement.align_to.empty());
 }
 
 } // namespace

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "derivatives/wheel_sensitivities.hpp"
+#include "derivatives/wheel_rates.hpp"
 #include "scene/solve_scene.hpp"
 
 namespace wrc::test::result_names_test {

@@ -67,7 +67,7 @@ Contact contact_over(const WheelResult& wheel, ContactFrame frame, const Grid& g
   const PatchGap gap{grid, contact.distance, 1.0, {}, {}, contact.angles};
   NormalProblem problem;
   problem.patches = {&gap, 1};
-  problem.combined_modulus = wheel.details.combined_modulus;
+  problem.combined_modulus = wheel.details.request.combined_modulus;
   problem.approach = 0.0;
   problem.tolerance = 1e-9;
   contact.pressure = NormalSolver().solve(problem).patches[0].pressure;

@@ -19,7 +19,7 @@
 #include <nlohmann/json.hpp>
 
 #include "creep/total_force.hpp"
-#include "derivatives/wheel_sensitivities.hpp"
+#include "derivatives/wheel_rates.hpp"
 #include "profile/profile.hpp"
 #include "scene/solve_scene.hpp"
 #include "support/random_wheels.hpp"
@@ -153,7 +153,7 @@ inline EnergyErrors energy_errors(const Scene& scene) {
   WheelResult& wheel = *here.left;
   const CoordinateForces forces = forces_of(wheel, scene.yaw);
   const double amount = std::hypot(forces[0], forces[1]);
-  const auto rates = sensitivities_of(wheel);
+  const auto rates = wheel_rates_of(wheel);
   const ForceRates& reported = rates->force;
   const std::array<const WheelForce*, 3> by{&reported.lateral, &reported.vertical, &reported.roll};
   std::array<CoordinateForces, 3> sensitivities{};

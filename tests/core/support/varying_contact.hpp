@@ -9,8 +9,8 @@
 #include "geometry/varying_shapes.hpp"
 #include "geometry/wheelset_equilibrium.hpp"
 #include "half_space/material.hpp"
-#include "results/wheel_result.hpp"
-#include "wheel/wheel_solution.hpp"
+#include "results/make_wheel_result.hpp"
+#include "wheel/solve_wheel.hpp"
 
 namespace wrc::test {
 

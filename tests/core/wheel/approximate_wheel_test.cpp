@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/varying_shapes.hpp"
 #include "half_space/material.hpp"
 #include "keys/scene_keys.hpp"
 #include "models/hertz.hpp"
@@ -80,6 +81,40 @@ TEST(ApproximateWheel, HertzMeetsHertzForSmoothBodies) {
     EXPECT_NEAR(patch.contact.semi_axis_longitudinal / hertz.semi_axis_longitudinal, 1.0, 1e-9);
     // Circles differ from parabolas by (a/R)^2/4 of the gap.
     EXPECT_GT(*solution.validity, 0.999);
+  }
+}
+
+/// A crown along an arc, below the axle and on its slope, turned against the level.
+TEST(ApproximateWheel, HertzHasTheCurvatureOfACrestAlongTheRail) {
+  constexpr double load = 8e4;
+  constexpr double along_crest = 1.0 / 460.0 + 1.0 / 400.0;
+  const HertzContact hertz = solve_hertz(along_crest, 1.0 / crown, modulus, load);
+  const auto crest = [](double x) { return std::sqrt(400.0 * 400.0 - x * x) - 400.0; };
+  const SlicedProfile slices = crown_along(places_every(-120.0, 120.0, 2.0), crest);
+  const WheelSurface wheel(cylindrical_wheel(), wheelset);
+  for (const double along : {0.0, -40.0}) {
+    const RailSurface rail = rail_of(slices, along);
+    EquilibriumRequest request;
+    request.roll = 0.0;
+    request.right = false;
+    WheelRequest side;
+    side.combined_modulus = modulus;
+    side.normal_load = load;
+    const SideEquilibrium equilibrium =
+        *find_equilibrium({wheel, rail}, {wheel, rail}, request).left;
+    for (const ApproximateModel model :
+         {ApproximateModel::hertz, ApproximateModel::kik_piotrowski}) {
+      const WheelSolution found = solve_wheel_approximately(wheel, rail, equilibrium, side, model);
+      ASSERT_EQ(found.patches.size(), 1U);
+      const Patch& patch = found.patches[0];
+      // Where two circles touch, the plane is that across the line of their centres.
+      EXPECT_NEAR(patch.frame.longitudinal.z, -along / 860.0, 1e-4) << along;
+      // On a slope the crown's section is turned: heights over y are longer by 1/cos.
+      const double exact = model == ApproximateModel::hertz ? 2e-3 : 0.1;
+      EXPECT_NEAR(found.peak_pressure, hertz.peak_pressure, exact * hertz.peak_pressure) << along;
+      EXPECT_NEAR(patch.approach, hertz.approach, exact * hertz.approach) << along;
+      EXPECT_GT(*found.validity, 0.9) << along;
+    }
   }
 }
 

@@ -13,7 +13,7 @@
 #include "mechanics/normal_solver.hpp"
 #include "support/reference_data.hpp"
 #include "support/simple_profiles.hpp"
-#include "wheel/wheel_solution.hpp"
+#include "wheel/solve_wheel.hpp"
 
 namespace wrc::test::conformal_contact_test {
 namespace {

@@ -10,7 +10,7 @@
 #include "pressure/contact_area.hpp"
 #include "support/patch_problem.hpp"
 #include "support/simple_profiles.hpp"
-#include "wheel/wheel_solution.hpp"
+#include "wheel/solve_wheel.hpp"
 
 namespace wrc::test::steep_contact_test {
 namespace {

@@ -198,7 +198,7 @@ TEST(VaryingContact, AgreesWithAnotherProgramOnSlopesAndWaves) {
 
 constexpr double flat_radius = 450.0;
 
-std::shared_ptr<const VaryingWheel> wheel_with_flat(double depth) {
+SlicedWheel wheel_with_flat(double depth) {
   return flattened_cylinder(flat_radius, 0.2, 0.001,
                             [&](double theta) { return rounded_depth(theta, depth, 0.06); });
 }
