@@ -1,10 +1,6 @@
 /// Smoothing splines with a wavelength in mm at which the amplitude is halved.
 ///
-/// Minimises  sum w_i (z_i - f(u_i))^2 + lambda int f''^2 du  (Reinsch, Smoothing by spline
-/// functions, Numerische Mathematik 10, 1967), with w_i the length of the neighbourhood of point i,
-/// so that the sum stands for an integral whatever the spacing. A wave of length L is then passed
-/// by 1 / (1 + lambda (2 pi / L)^4); lambda = (wavelength / 2 pi)^4 halves the wavelength requested
-/// for. Solved by the banded Cholesky factorisation of LAPACK.
+/// The spline of reinsch_spline.hpp.
 ///
 /// Units mm. Natural end conditions: within a wavelength of the ends curvature is pulled to zero.
 /// Does not know: outliers, kinks. Thread rule: no state.

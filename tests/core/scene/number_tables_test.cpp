@@ -9,6 +9,7 @@
 
 #include "scene/damage_tables.hpp"
 #include "scene/number_group.hpp"
+#include "scene/number_ids.hpp"
 #include "scene/number_table.hpp"
 #include "scene/old_names.hpp"
 #include "scene/rate_tables.hpp"
