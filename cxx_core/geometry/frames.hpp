@@ -36,7 +36,7 @@ template <class Real> struct VectorOf {
 
 using Vector3 = VectorOf<double>;
 
-/// In which wheels roll and rails run: x of the track frame. Not a tuning constant.
+/// In which wheels roll and rails run: x of the track frame; not a tuning constant.
 inline constexpr Vector3 along_track{1.0, 0.0, 0.0};
 
 inline double norm(const Vector3& a) {

@@ -11,7 +11,6 @@
 #include "geometry/wheelset_equilibrium.hpp"
 #include "patches/contact_patch.hpp"
 #include "patches/patch_finder.hpp"
-#include "remesh/undeformed_distance.hpp"
 #include "support/reference_data.hpp"
 #include "support/simple_profiles.hpp"
 
@@ -483,43 +482,6 @@ TEST(ContactPatches, PlanesAgreeWithAnIndependentProgram) {
       EXPECT_NEAR(found.patches[0].mean_y, -second.at("y_track_mm").get<double>(), place_tolerance);
     }
   }
-}
-
-/// Second differences of distances along the rail, through the locus at the root of the flange:
-/// with 50 mrad of yaw they are an eighth less than the curvature in rolling direction.
-TEST(LocusSamples, CurvatureIsThatAlongTheRail) {
-  const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, wheel_radius});
-  const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, 0.025});
-  constexpr double depth = 0.1;
-  for (const double yaw : {0.0, 0.05, -0.05}) {
-    const SideEquilibrium side = equilibrium_of(wheel, rail, 6.5, yaw);
-    const ContactPatches found = find_contact_patches(side.scan, depth);
-    const ContactPatch& patch = found.patches[found.main];
-    const auto samples = locus_samples(side.scan, depth);
-    const auto at = std::ranges::min_element(
-        samples, {}, [&](const auto& sample) { return std::abs(sample.y - patch.mean_y); });
-    const ContactFrame frame = tangent_frame({at->x, at->y, at->z}, std::atan(at->slope));
-    const std::vector<double> distance = sample_undeformed_distance(
-        {wheel, rail, side.pose, side.vertical - depth}, frame, {1, 3, 1.0, 1.0, 0.0, -1.0});
-    EXPECT_NEAR(at->curvature, distance[0] - 2.0 * distance[1] + distance[2], 0.05 * at->curvature);
-  }
-}
-
-/// At kinks differences say anything: 100 times the curvature in rolling direction, or a hundredth.
-TEST(LocusSamples, CurvatureIsBounded) {
-  patch_finding::LocusSample<double> before{};
-  patch_finding::LocusSample<double> after{};
-  after.y = 1.0;
-  const auto turned = [&](double x) {
-    patch_finding::LocusSample<double> here{};
-    here.curvature = 1.0;
-    after.x = x;
-    turn_curvature(before, here, after, 0.1);
-    return here.curvature;
-  };
-  EXPECT_DOUBLE_EQ(turned(-10.0), 0.5);
-  EXPECT_DOUBLE_EQ(turned(20.0), 100.0);
-  EXPECT_DOUBLE_EQ(turned(-1e4), 0.01);
 }
 
 } // namespace

@@ -8,6 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/wheelset_equilibrium.hpp"
+#include "patches/contact_patches.hpp"
+#include "profile/standard_profiles.hpp"
+#include "remesh/undeformed_distance.hpp"
+
 namespace wrc::test::locus_samples_test {
 namespace {
 
@@ -146,6 +151,48 @@ TEST(LocusSamples, CoverThePenetratingStretchesAndTheirTops) {
   EXPECT_EQ(found, penetrating);
   EXPECT_LE(samples.front().penetration, 0.0);
   EXPECT_LE(samples.back().penetration, 0.0);
+}
+
+/// Second differences of distances along the rail, through the locus at the root of the flange:
+/// with 50 mrad of yaw they are an eighth less than the curvature in rolling direction.
+TEST(LocusSamples, CurvatureIsThatAlongTheRail) {
+  const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
+  const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, 0.025});
+  constexpr double depth = 0.1;
+  for (const double yaw : {0.0, 0.05, -0.05}) {
+    EquilibriumRequest request;
+    request.lateral = 6.5;
+    request.yaw = yaw;
+    request.roll = 0.0;
+    request.right = false;
+    const SideEquilibrium side = *find_equilibrium({wheel, rail}, {wheel, rail}, request).left;
+    const ContactPatches found = find_contact_patches(side.scan, depth);
+    const ContactPatch& patch = found.patches[found.main];
+    const auto samples = locus_samples(side.scan, depth);
+    const auto at = std::ranges::min_element(
+        samples, {}, [&](const auto& sample) { return std::abs(sample.y - patch.mean_y); });
+    const ContactFrame frame = tangent_frame({at->x, at->y, at->z}, std::atan(at->slope));
+    const std::vector<double> distance = sample_undeformed_distance(
+        {wheel, rail, side.pose, side.vertical - depth}, frame, {1, 3, 1.0, 1.0, 0.0, -1.0});
+    EXPECT_NEAR(at->curvature, distance[0] - 2.0 * distance[1] + distance[2], 0.05 * at->curvature);
+  }
+}
+
+/// At kinks differences say anything: 100 times the curvature in rolling direction, or a hundredth.
+TEST(LocusSamples, CurvatureIsBounded) {
+  Sample before{};
+  Sample after{};
+  after.y = 1.0;
+  const auto turned = [&](double x) {
+    Sample here{};
+    here.curvature = 1.0;
+    after.x = x;
+    patch_finding::turn_curvature(before, here, after, 0.1);
+    return here.curvature;
+  };
+  EXPECT_DOUBLE_EQ(turned(-10.0), 0.5);
+  EXPECT_DOUBLE_EQ(turned(20.0), 100.0);
+  EXPECT_DOUBLE_EQ(turned(-1e4), 0.01);
 }
 
 } // namespace

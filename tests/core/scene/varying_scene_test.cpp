@@ -2,117 +2,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <iterator>
-#include <memory>
-#include <numbers>
-#include <sstream>
 #include <string>
 #include <vector>
-
-#include <unistd.h>
 
 #include <gtest/gtest.h>
 
 #include "creep/rolling_frame.hpp"
-#include "geometry/varying_shapes.hpp"
-#include "profile/standard_profiles.hpp"
 #include "scene/scene_warnings.hpp"
 #include "scene/solve_scene.hpp"
+#include "scene/varying_lists.hpp"
 #include "scene/vehicle_step.hpp"
 #include "support/errors.hpp"
 
 namespace wrc::test::varying_scene_test {
 namespace {
-
-class VaryingScene : public ::testing::Test {
-protected:
-  VaryingScene()
-      : folder_(std::filesystem::path(::testing::TempDir()) /
-                ("wrcontact_varying_" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~VaryingScene() override { std::filesystem::remove_all(folder_); }
-
-  /// A list of a built-in profile, raised by a height at each place; places are moved and heights
-  /// of the profile multiplied.
-  [[nodiscard]] std::string list(const std::string& name, const std::string& profile,
-                                 const std::vector<double>& places,
-                                 const std::function<double(double)>& height, double moved = 0.0,
-                                 double flattened = 1.0) const {
-    const Curve curve = standard_profile(profile).curve;
-    std::ofstream list(folder_ / name);
-    list.precision(17);
-    list << moved << " 1.0\n" << places.size() << "\n0 0 0\n1\n";
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const std::string slice = name + "_" + std::to_string(i) + ".txt";
-      list << places[i] << " '" << slice << "'\n";
-      std::ofstream file(folder_ / slice);
-      file.precision(17);
-      const int count = static_cast<int>(curve.length() / 0.5);
-      for (int k = 0; k <= count; ++k) {
-        const CurvePoint point = curve.at(curve.length() * k / count);
-        file << point.lateral << ' ' << flattened * point.height + height(places[i]) << '\n';
-      }
-    }
-    return folder_ / name;
-  }
-  [[nodiscard]] std::string wavy_rail(double moved = 0.0) const {
-    return list(
-        "wave" + std::to_string(moved) + ".slcs", "60E1", places_every(-120.0, 120.0, 4.0),
-        [](double x) { return 0.05 * std::cos(2.0 * std::numbers::pi * x / 50.0); }, moved);
-  }
-  [[nodiscard]] std::string wheel_with_flat() const {
-    return list("flat.slcw", "S1002", places_every(-0.2, 0.2, 0.01),
-                [](double theta) { return -rounded_depth(theta, 0.6, 0.06); });
-  }
-  /// A flat with sharp ends.
-  [[nodiscard]] std::string wheel_with_chord() const {
-    return list("chord.slcw", "S1002", places_every(-0.1, 0.1, 0.004),
-                [](double theta) { return -chord_depth(theta, 460.0, 57.0); });
-  }
-
-  /// A 60E1 that is absent between -half and half.
-  [[nodiscard]] std::string rail_with_gap(const std::string& name, double half) const {
-    const std::vector<double> places{-300.0, -half, 0.0, half, 300.0};
-    std::ostringstream features;
-    for (const double place : places)
-      features << place << (place == 0.0 ? " -1 -1\n" : " 0 999\n");
-    return with_features(list(name, "60E1", places, [](double) { return 0.0; }), "2",
-                         features.str());
-  }
-
-  /// A list with lines of features at its end.
-  static std::string with_features(const std::string& path, const std::string& count,
-                                   const std::string& lines) {
-    std::ifstream file(path);
-    std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    text.replace(text.find("0 0 0\n"), 1, count);
-    std::ofstream(path) << text << lines;
-    return path;
-  }
-
-private:
-  std::filesystem::path folder_;
-};
-
-Scene scene_on(const std::string& rail, const std::string& wheel = "S1002") {
-  Scene scene;
-  scene.left.rail.name = scene.right.rail.name = rail;
-  scene.left.wheel.name = scene.right.wheel.name = wheel;
-  for (SceneSide* side : {&scene.left, &scene.right})
-    side->rail.smoothing = side->wheel.smoothing = 0.0;
-  scene.lateral = 1.5;
-  scene.yaw = 0.003;
-  scene.along = 7.0;
-  scene.pitch = 0.03;
-  scene.accuracy = 1e-2;
-  scene.accuracy_of = AccuracyOf::forces;
-  scene.motion = Motion{.speed = 20000.0, .lateral = 10.0};
-  return scene;
-}
 
 /// All numbers but times.
 void expect_same(SceneResult one, SceneResult other) {
@@ -380,141 +283,6 @@ TEST_F(VaryingScene, VerticalGapsHaveDerivatives) {
     return solver.solve(moved).left->force.z;
   };
   EXPECT_NEAR(rate, (force_at(step) - force_at(-step)) / (2.0 * step), 1e-2 * std::abs(rate));
-}
-
-/// p^2 bends within an element of the edge there, by which the elements' number alone does not go.
-TEST_F(VaryingScene, CreepForcesAtTheEndsOfAFlatStateTheirError) {
-  Scene scene = scene_on("60E1", wheel_with_chord());
-  scene.side = SideChoice::left;
-  SceneSolver solver;
-  const auto forces_at = [&](double accuracy) {
-    scene.accuracy = accuracy;
-    SceneResult result = solver.solve(scene);
-    const auto value = [&](const char* name) { return *number_value(result, name); };
-    return std::array{value("left.patches.0.creep_force.longitudinal"),
-                      value("left.patches.0.creep_force.lateral"),
-                      value("left.patches.0.normal_force"),
-                      value("left.patches.0.creep_error_estimate")};
-  };
-  double worst = 0.0;
-  for (const double pitch : {0.01, 0.02, 0.03, 0.04}) {
-    scene.pitch = pitch;
-    const auto truth = forces_at(5e-4);
-    const auto found = forces_at(1e-2);
-    const double error = std::hypot(found[0] - truth[0], found[1] - truth[1]) / (0.3 * truth[2]);
-    EXPECT_LE(error, found[3]) << pitch;
-    worst = std::max(worst, error);
-  }
-  EXPECT_GT(worst, 1e-2); // so the scenes are among those that need it
-}
-
-/// A crest along the rail, for which a second grid has more columns; without them pmax is 5.2 % too
-/// large.
-TEST_F(VaryingScene, TheLargestPressureAtTheEndsOfAFlatMeetsTheAccuracy) {
-  Scene scene = scene_on("60E1", wheel_with_chord());
-  scene.side = SideChoice::left;
-  scene.accuracy_of = AccuracyOf::pressures;
-  scene.motion.reset();
-  scene.pitch = 0.01;
-  SceneSolver solver;
-  const auto pmax_at = [&](double accuracy) {
-    scene.accuracy = accuracy;
-    SceneResult result = solver.solve(scene);
-    return *number_value(result, "left.pmax");
-  };
-  const double truth = pmax_at(1e-3);
-  EXPECT_NEAR(pmax_at(1e-2), truth, 1e-2 * truth);
-}
-
-TEST_F(VaryingScene, RefusesPlacesWithoutARail) {
-  Scene scene = scene_on(wavy_rail());
-  scene.along = 121.0;
-  expect_error(
-      ErrorCode::no_contact, [&] { (void)solve_scene(scene); }, "121");
-  scene.along = 119.0; // the rail ends 1 mm ahead
-  EXPECT_NO_THROW((void)solve_scene(scene));
-}
-
-Scene level_on(const std::string& rail) {
-  Scene scene = scene_on(rail);
-  scene.lateral = scene.yaw = scene.along = 0.0;
-  scene.roll = 0.0;
-  return scene;
-}
-
-/// It sinks by half^2 / (2 r) between the ends.
-TEST_F(VaryingScene, AWheelStandsOnBothEndsOfAShortGap) {
-  const double half = 2.0;
-  Scene scene = level_on("60E1");
-  const double whole = solve_scene(scene).vertical;
-  const std::string rail = rail_with_gap("gap.slcs", half);
-  scene.left.rail.name = scene.right.rail.name = rail;
-  const SceneResult over = solve_scene(scene);
-  EXPECT_NEAR(whole - over.vertical, half * half / 920.0, 2e-4);
-  EXPECT_NEAR(over.left->force.z, scene.left.load, 1e-3 * scene.left.load);
-  EXPECT_TRUE(over.left->meets_part_end);
-  for (const PatchResult& patch : over.left->patches) { // one, of both ends
-    EXPECT_NEAR(patch.centroid.y, 750.0, 10.0);
-    EXPECT_NEAR(patch.reference.y, 750.0, 10.0);
-    EXPECT_NEAR(patch.reference.z, 0.0, 1.0);
-  }
-  scene.left.rail.name = "60E1"; // the other way around
-  EXPECT_NO_THROW((void)solve_scene(scene));
-}
-
-TEST_F(VaryingScene, AWideGapStopsItsOwnWheelOnly) {
-  Scene scene = level_on("60E1");
-  scene.left.rail.name = rail_with_gap("wide.slcs", 150.0);
-  expect_error(
-      ErrorCode::no_contact, [&] { (void)solve_scene(scene); },
-      "the wheel is over a gap of the rail at 0 mm along it: the nearest part is 150 mm away");
-  scene.side = SideChoice::right;
-  EXPECT_TRUE(solve_scene(scene).right);
-  scene.along = 400.0; // where the left rail has no slices
-  EXPECT_TRUE(solve_scene(scene).right);
-  scene.side = SideChoice::left;
-  expect_error(
-      ErrorCode::no_contact, [&] { (void)solve_scene(scene); }, "400");
-}
-
-TEST_F(VaryingScene, SwingsBetweenSlicesAreWarnings) {
-  const auto warnings_on = [](const std::string& rail) {
-    Scene scene = level_on(rail);
-    scene.until = Module::geometry;
-    return all_warnings(solve_scene(scene));
-  };
-  const Warnings swings =
-      warnings_on(list("joint.slcs", "60E1", {-300.0, -100.0, -0.5, 0.5, 100.0, 300.0},
-                       [](double x) { return x < 0.0 ? 0.0 : 0.3; }));
-  ASSERT_EQ(swings.size(), 2U);
-  EXPECT_EQ(swings[0].kind, WarningClass::profile_swing);
-  EXPECT_NE(swings[0].text.find("between slices 2 and 3 the rail is"), std::string::npos);
-  EXPECT_NE(swings[1].text.find("steeper than 1:5"), std::string::npos);
-  EXPECT_TRUE(warnings_on(wavy_rail()).empty());
-}
-
-TEST_F(VaryingScene, RefusesWhatSlicesAndWavesCannotHave) {
-  Scene scene;
-  const auto solve = [&scene] { (void)solve_scene(scene); };
-  scene.left.rail.name = wavy_rail();
-  VehicleState state;
-  state.velocity = SixNumbers{1e4};
-  state.history = std::make_shared<const ContactHistory>();
-  state.time_step = 1e-3;
-  expect_error(
-      ErrorCode::invalid_argument, [&] { (void)scene_at(scene, state); }, "history", "varies");
-  scene = Scene();
-  scene.left.wheel.name = wavy_rail();
-  expect_error(ErrorCode::invalid_argument, solve, "those of a wheel");
-  scene = Scene();
-  scene.left.wheel.name = scene.right.wheel.name = wheel_with_flat();
-  scene.wheel_placement.lateral_shift = 1.0;
-  expect_error(ErrorCode::invalid_argument, solve, "profile_shift");
-  scene = Scene();
-  scene.left.wheel.harmonics = {{700, 0.02, 0.0}};
-  expect_error(ErrorCode::invalid_argument, solve, "wheelset.harmonics = 700", "12 mm");
-  scene.left.wheel.harmonics = {{10, 20.0, 0.0}};
-  expect_error(ErrorCode::invalid_argument, solve, "wheelset.harmonics = 20", "slopes");
 }
 
 /// At a prescribed position, where the rail's wave rises.
