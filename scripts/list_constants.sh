@@ -95,6 +95,11 @@ for path in sys.stdin.read().split():
         rows.append((known[1], room, short, found["name"], re.sub(r"\s+", " ", value),
                      f"{known[1]}: {known[2].strip()}"))
 
+if missing:
+    print(f"{len(missing)} of {len(missing) + len(rows)} constants have no origin or no reason for it:",
+          file=sys.stderr)
+    print("\n".join(missing), file=sys.stderr)
+    sys.exit(1)
 for group, tags in groups.items():
     members = [row for row in rows if row[0] in tags]
     print(f"{len(members)} {group}")
@@ -106,9 +111,4 @@ for group, tags in groups.items():
     for row in members:
         print("| " + " | ".join(cell.replace("|", "\\|") for cell in row[1:]) + " |")
     print()
-if missing:
-    print(f"{len(missing)} of {len(missing) + len(rows)} constants have no origin or no reason for it:",
-          file=sys.stderr)
-    print("\n".join(missing), file=sys.stderr)
-    sys.exit(1)
 ' "$@"

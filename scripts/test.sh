@@ -47,13 +47,15 @@ step() {
   echo "== ${costs[-1]}"
 }
 
-# logged LOG PATTERN COMMAND...: its output goes into LOG; if it fails, lines of PATTERN are shown.
+# logged LOG PATTERN COMMAND...: its output goes into LOG; if it fails, lines of PATTERN are shown, or the
+# last ones where none has it.
 logged() {
   local log=$1 pattern=$2
   shift 2
   mkdir -p "$(dirname "$log")"
   "$@" >"$log" 2>&1 || {
-    grep -E -A5 "$pattern" "$log" | tail -n 100
+    { grep -E -A5 "$pattern" "$log" || cat "$log"; } | tail -n 100
+    echo "failed: $*; all of its output is in $log"
     exit 1
   }
 }
@@ -69,8 +71,9 @@ build() {
 run_tests() {
   local preset=$1 folder=build/$1
   shift
-  ctest --preset "$preset" -j "$(nproc)" "$@" >"$folder/test.log" 2>&1 || {
-    grep -vE '^ *Start|Passed' "$folder/test.log" | tail -n 100
+  ctest --preset "$preset" --no-tests=error -j "$(nproc)" "$@" >"$folder/test.log" 2>&1 || {
+    { grep -vE '^ *Start|Passed' "$folder/test.log" || true; } | tail -n 100
+    echo "failed: all of the output is in $folder/test.log"
     exit 1
   }
   grep -E 'tests passed|^Total Test time' "$folder/test.log"
@@ -105,12 +108,12 @@ if [ "$mode" = release ]; then
   step "release: all tests" run_tests release
 else
   step "release: build" build release "" all
-  step "release: tests" run_tests release -LE long
+  step "release: tests" run_tests release -LE '^long$'
 fi
 case $mode in
   all)
     step "address sanitizer: build" build asan "" sanitized
-    step "address sanitizer: a case of each room" run_tests asan -L sanitized
+    step "address sanitizer: a case of each room" run_tests asan -L '^sanitized$'
     ;;
   release)
     step "address sanitizer: build" build asan "" all
@@ -119,7 +122,7 @@ case $mode in
 esac
 if [ "$mode" != fast ]; then
   step "thread sanitizer: build" build tsan "" threads_test
-  step "thread sanitizer: tests with threads" run_tests tsan -L threads_test
+  step "thread sanitizer: tests with threads" run_tests tsan -L '^threads_test$'
 fi
 if [ "$mode" = release ]; then
   step "reference of the interfaces" reference
