@@ -4,6 +4,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <string>
+
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -113,7 +116,8 @@ TEST(ContactTable, OutsideIsRefusedOrSolved) {
 
 TEST(ContactTable, ComesBackFromItsFile) {
   const std::filesystem::path path =
-      std::filesystem::temp_directory_path() / "wrcontact_contact_table_test.table";
+      std::filesystem::temp_directory_path() /
+      ("wrcontact_contact_table_test_" + std::to_string(getpid()) + ".table");
   table().save(path.string());
   wrcontact::Table read;
   EXPECT_THROW(read.facts(), wrcontact::Error);

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 
 #include "wrcontact.hpp"
@@ -30,7 +32,8 @@ TEST(CppInterface, ProfilesAreReadWrittenAndReadAgain) {
   EXPECT_EQ(rail.text("name"), "60E1");
   EXPECT_GT(rail.length(), 70.0);
   EXPECT_EQ(rail.nodes().back(), rail.length());
-  const std::string path = testing::TempDir() + "cpp_interface_60E1.txt";
+  const std::string path =
+      testing::TempDir() + "cpp_interface_60E1_" + std::to_string(getpid()) + ".txt";
   rail.write(path, 0.5);
   wrcontact::Profile again;
   again.load_file(path);

@@ -2,6 +2,9 @@
 
 #include <cstring>
 #include <filesystem>
+#include <string>
+
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -38,7 +41,8 @@ bool is_refused(const std::string& text) {
 
 TEST(TableFile, BringsBackTheSameBits) {
   const std::filesystem::path path =
-      std::filesystem::temp_directory_path() / "wrcontact_table_file_test.bin";
+      std::filesystem::temp_directory_path() /
+      ("wrcontact_table_file_test_" + std::to_string(getpid()) + ".bin");
   write_table(small_table(), path);
   const ContactTable read = read_table(path);
   std::filesystem::remove(path);
