@@ -220,7 +220,7 @@ TEST(CertifiedRanges, ScenesOutsideAreRefusedWithKeyValueAndAllowedRange) {
 
 /// At y = 0 pmax is off by 2e-5 on any grid below 768 rows, which 384 do not tell.
 TEST(CertifiedRanges, ErrorsOfFineGridsByHandAreWithinTheirEstimates) {
-  for (const double lateral : some_of({0.0, 3.0, 6.5}, 1)) {
+  for (const double lateral : some_of({0.0, 6.5, 3.0}, 2)) {
     const auto solved = [&](double rows, double columns) {
       ScenePointer scene = left_scene();
       set(scene.get(), {{"pose.lateral", lateral}, {"solve.tolerance", 1e-8}});
@@ -229,7 +229,7 @@ TEST(CertifiedRanges, ErrorsOfFineGridsByHandAreWithinTheirEstimates) {
       return scene;
     };
     const ScenePointer truth = solved(1024.0, 512.0);
-    for (const double rows : {96.0, 128.0, 256.0}) {
+    for (const double rows : some_of({96.0, 256.0, 128.0}, 2)) {
       for (const double columns : {0.5 * rows, 512.0}) {
         const ScenePointer scene = solved(rows, columns);
         double error = 0.0;

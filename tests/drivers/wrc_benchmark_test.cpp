@@ -112,7 +112,7 @@ TEST_F(WrcBenchmark, VehicleStepPrintsTheSpreadOfItsSteps) {
 /// Rows are accuracies of forces and of pressures, loads and positions, for each pair of profiles,
 /// without and with creep forces.
 TEST_F(WrcBenchmark, ServicePrintsTheSpreadOfItsSteps) {
-  const int steps = by_extent(4, 1);
+  const int steps = by_extent(4, 2);
   const json result =
       run_json("--case service --steps " + std::to_string(steps) + " --accuracy 1e-2 --creep");
   const json& rows = result.at("rows");
