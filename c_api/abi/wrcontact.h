@@ -226,7 +226,7 @@ WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int3
 #define WRC_ON_CHAMFER 4      /**< a patch beyond the tread, on the field side */
 #define WRC_BEYOND_YIELD 8    /**< largest pressure above material.yield_pressure */
 #define WRC_SOLVED_EXACTLY 16 /**< a table asked the exact solution */
-#define WRC_AT_PART_END 32    /**< contact where a part of a rail that varies ends, at a gap */
+#define WRC_AT_PART_END 32    /**< contact that an end or side of a part that varies cuts */
 
 /**
  * Computes the forces on both wheels of a wheelset from its position and velocity. It sets the keys

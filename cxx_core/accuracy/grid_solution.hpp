@@ -62,7 +62,7 @@ struct GridSolution {
   Elements elements = Elements::smooth;
   double depth = 0.0;         ///< vertical, from the first touch: of planes, grids and distances
   std::vector<Patch> patches; ///< ordered by y
-  std::vector<double> links;  ///< closeness of each patch and the next
+  std::vector<double> links;  ///< coupling weight of each patch and the next
   std::size_t main = 0;       ///< the patch that holds the first contact
   StopReason stop_reason = StopReason::tolerance_met;
   double pressure_error = 0.0;

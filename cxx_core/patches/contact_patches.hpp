@@ -44,8 +44,8 @@
 ///
 /// Between nodes of the scan penetration is a parabola: next to a local maximum with its top there,
 /// elsewhere with the curvature of the nodes around. The top is the candidate of the scan that lies
-/// there. Integrals by Simpson's rule. Everything is thus continuous in the depth, except for what
-/// a patch just born between two others changes in their closeness, and has a limit for depth
+/// there. Integrals by Simpson's rule. Everything is thus continuous in the depth, except for how
+/// a patch just born between two others changes their coupling weight, and has a limit for depth
 /// -> 0. Units mm and rad; track frame, left-hand side (geometry/frames.hpp). Thread rule: pure
 /// functions. Not known here: elasticity.
 #pragma once

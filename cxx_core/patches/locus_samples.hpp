@@ -201,12 +201,12 @@ private:
   void collect_places() {
     const std::size_t count = samples_.size();
     const double least_distance = limit_ + max_top_excess;
-    auto top = tops_.begin();
+    auto next = tops_.begin();
     const auto belongs = [&](std::size_t sample) { // asked in their order
-      while (top != tops_.end() && top->after < sample) {
-        ++top;
+      while (next != tops_.end() && next->after < sample) {
+        ++next;
       }
-      const bool beside_top = top != tops_.end() && top->after <= sample + 1;
+      const bool beside_top = next != tops_.end() && next->after <= sample + 1;
       return beside_top || samples_[sample].distance < least_distance;
     };
     std::size_t i = 0;

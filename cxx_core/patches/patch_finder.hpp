@@ -228,7 +228,7 @@ private:
   std::size_t contact_place_;
   std::vector<Lobe<Real>> lobes_;
   std::vector<Real> affinities_; ///< of each lobe and the next
-  std::vector<Real> links_;      ///< closeness of each patch and the next
+  std::vector<Real> links_;      ///< coupling weight of each patch and the next
   std::vector<Real> turns_;      ///< likewise, of their planes
   std::vector<Real> angles_;     ///< of the planes
 };

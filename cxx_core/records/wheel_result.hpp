@@ -88,7 +88,7 @@ struct WheelDetails {
   [[nodiscard]] PosedPair pair() const { return {*wheel, *rail, pose, vertical}; }
 };
 
-/// Filled in by make_wheel_result (wheel/), then solve_creep_forces (creep/), at last by
+/// Filled in by make_wheel_result (results/), then solve_creep_forces (creep/), at last by
 /// complete_wheel (scene/solve_scene.cpp).
 struct WheelResult {
   ContactPoint rigid_contact;
