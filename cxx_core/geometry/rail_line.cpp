@@ -235,11 +235,7 @@ SurfaceNormal RailLine::normal() const {
 }
 
 double RailLine::inclination(const Vector3& lateral, const Vector3& normal) const {
-  if (is_prismatic_) {
-    const Vector3 across{0.0, point_.tangent_lateral, point_.tangent_height};
-    return dot(across, normal) / dot(across, lateral);
-  }
-  const Vector3 upwards{-graph_.by_along, -graph_.by_lateral, 1.0};
+  const Vector3 upwards = this->normal().normal;
   return -dot(upwards, lateral) / dot(upwards, normal);
 }
 

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <string>
 
+#include "base/error.hpp"
+#include "geometry/gap_field.hpp"
 #include "geometry/wheelset_equilibrium.hpp"
 
 namespace wrc {
@@ -55,9 +59,46 @@ private:
 
 } // namespace
 
+bool ContactStrips::are_prismatic() const {
+  return WheelAndRail{wheel_, rail_}.is_prismatic_along(along_track);
+}
+
 std::optional<ContactStrip> ContactStrips::at(double s) const {
-  return WheelAndRail{wheel_, rail_}.is_prismatic_along(along_track) ? on_locus(s)
-                                                                     : between_rows(s);
+  const auto strip = are_prismatic() ? on_locus(s) : between_rows(s);
+  return strip && strip->longitudinal_curvature > 0.0 ? strip : std::nullopt;
+}
+
+ContactStrip ContactStrips::touching_at(double s, std::string_view model) const {
+  const auto strip = at(s);
+  if (!strip) {
+    throw Error(ErrorCode::no_contact,
+                "solve.model = \"" + std::string(model) +
+                    "\": where the wheel touches, at s_wheel = " + short_text_of(s) +
+                    " mm, the gap has no curvature along the rail, or is known of fewer than " +
+                    std::to_string(cubic_rows) + " rows; allowed here is \"half-space\"");
+  }
+  return *strip;
+}
+
+double ContactStrips::difference_along(const ContactStrip& strip, double half_length) const {
+  if (are_prismatic()) {
+    return 0.0;
+  }
+  GapField field(wheel_, rail_, pose_);
+  const double along = 1.0 + strip.rail_rise * strip.rail_rise;
+  const double curvature =
+      strip.longitudinal_curvature * along * std::sqrt(along + strip.rail_slope * strip.rail_slope);
+  const auto parabola = [curvature](double x) { return 0.5 * curvature * x * x; };
+  double difference = 0.0;
+  for (int i = -compared_places; i <= compared_places; ++i) {
+    const double x = half_length * i / compared_places;
+    const auto point = field.at(strip.rail.x + x, strip.rail.y);
+    if (!point) {
+      return 1.0;
+    }
+    difference = std::max(difference, std::abs(point->gap.value - strip.distance - parabola(x)));
+  }
+  return difference / parabola(half_length);
 }
 
 std::optional<ContactStrip> ContactStrips::between_rows(double s) const {
@@ -68,12 +109,24 @@ std::optional<ContactStrip> ContactStrips::between_rows(double s) const {
   }
   const auto after = std::ranges::upper_bound(rows_, s, {}, lateral_of) - rows_.begin();
   const auto first = std::clamp<std::ptrdiff_t>(after - 2, 0, std::ssize(rows_) - 4);
-  const RowCubic cubic(rows_.subspan(static_cast<std::size_t>(first)).first<cubic_rows>(), s);
+  const auto near = rows_.subspan(static_cast<std::size_t>(first)).first<cubic_rows>();
+  if (!std::ranges::is_sorted(near, std::ranges::less_equal{}, lateral_of)) {
+    throw Error(ErrorCode::invalid_argument,
+                "solve.model: with this yaw the wheel's points nearest to the rail turn back along "
+                "its profile, at s_wheel = " +
+                    short_text_of(s) + " mm; allowed here is \"half-space\"");
+  }
+  const RowCubic cubic(near, s);
+  // Cubics overshoot beside the end of a flat, where curvatures differ by a factor of 40.
+  const auto low = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - first - 1, 0, 2));
+  const double share =
+      (s - lateral_of(near[low])) / (lateral_of(near[low + 1]) - lateral_of(near[low]));
+  const double bend =
+      std::lerp(near[low].wheel.normal_curvature, near[low + 1].wheel.normal_curvature, share);
   const auto x = cubic.of([](const DistanceSample& row) { return row.wheel.position.x; });
   const auto y = cubic.of([](const DistanceSample& row) { return row.wheel.position.y; });
   const auto z = cubic.of([](const DistanceSample& row) { return row.wheel.position.z; });
   const auto gap = cubic.of([](const DistanceSample& row) { return row.distance; });
-  const auto bend = cubic.of([](const DistanceSample& row) { return row.wheel.normal_curvature; });
   ContactStrip strip;
   strip.s = s;
   strip.rail = {x.value, y.value, z.value - gap.value};
@@ -89,7 +142,7 @@ std::optional<ContactStrip> ContactStrips::between_rows(double s) const {
   const double by_y = gap.first / y.first;
   strip.lateral_curvature =
       (gap.second - by_y * y.second) / (y.first * y.first) * along / (normal * normal * normal);
-  strip.longitudinal_curvature = bend.value * std::sqrt(across) / (along * normal);
+  strip.longitudinal_curvature = bend * std::sqrt(across) / (along * normal);
   return strip;
 }
 
@@ -100,19 +153,19 @@ std::optional<ContactStrip> ContactStrips::on_locus(double s) const {
   }
   const HeightPoint wheel = profile.at(s);
   bool exists = false;
-  const LocusAngle angle = pose_.angle_at(wheel.slope, exists);
+  const LocusAngle angle = locus_.angle_at(wheel.slope, exists);
   if (!exists) {
     return std::nullopt;
   }
   const double rho = wheel_.radius() + wheel.height;
   const double turning =
-      pose_.along * wheel.second / (pose_.a * angle.cosine + pose_.b * angle.sine);
-  const Rotation& rotation = pose_.rotation;
+      locus_.along * wheel.second / (locus_.a * angle.cosine + locus_.b * angle.sine);
+  const Rotation& rotation = locus_.rotation;
   ContactStrip strip;
   strip.s = s;
   const Vector3 position =
       rotation.to_track({rho * angle.sine, wheel_.taping_line() + s, -rho * angle.cosine});
-  const double y = position.y + pose_.lateral;
+  const double y = position.y + locus_.lateral;
   const HeightFunction& crown = rail_.graph().heights();
   if (!crown.covers(y)) {
     return std::nullopt;
@@ -143,9 +196,6 @@ std::optional<ContactStrip> ContactStrips::on_locus(double s) const {
   const double cosine_square = cosine * cosine;
   strip.longitudinal_curvature =
       cosine_square * rolling_curvature + (1.0 - cosine_square) * profile_curvature;
-  if (!(strip.longitudinal_curvature > 0.0)) {
-    return std::nullopt;
-  }
   return strip;
 }
 

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/error.hpp"
 #include "models/hertz.hpp"
 #include "models/kik_piotrowski.hpp"
 #include "models/patch_model.hpp"
@@ -10,10 +9,6 @@
 
 namespace wrc {
 namespace {
-
-/// Points to each side at which the gap is compared with the parabola, for the validity alone.
-/// origin: reasoned: enough to see a second lobe within a patch.
-constexpr int compared_places = 4;
 
 class HertzPatch final : public PatchModel {
 public:
@@ -69,7 +64,7 @@ private:
   [[nodiscard]] double approach_at(double depth) const {
     return std::max(0.0, depth - (side_.first_touch + contact_.distance)) * frame_.normal.z;
   }
-  [[nodiscard]] double validity_within(double half_width) const;
+  [[nodiscard]] double validity_within(double half_width, double half_length) const;
   /// Deviation of the gap at both ends of virtual penetration from the parabola there, relative,
   /// below 1.
   [[nodiscard]] double width_difference() const;
@@ -102,7 +97,7 @@ ModelledPatch HertzPatch::solve(double depth) {
   patch.semi_axis_lateral = std::hypot(first * sine_, second * cosine_);
   patch.extent = {-patch.semi_axis_lateral, patch.semi_axis_lateral, -patch.semi_axis_longitudinal,
                   patch.semi_axis_longitudinal};
-  patch.validity = validity_within(patch.semi_axis_lateral);
+  patch.validity = validity_within(patch.semi_axis_lateral, patch.semi_axis_longitudinal);
   return patch;
 }
 
@@ -117,7 +112,7 @@ double HertzPatch::width_difference() const {
   return difference;
 }
 
-double HertzPatch::validity_within(double half_width) const {
+double HertzPatch::validity_within(double half_width, double half_length) const {
   const double edge_gap = 0.5 * curvature_ * half_width * half_width;
   double difference = 0.0;
   const auto compare_at = [&](double s) {
@@ -136,21 +131,17 @@ double HertzPatch::validity_within(double half_width) const {
     inside = compare_at(contact_.s + half_width * i / compared_places / lateral_per_s_) && inside;
   }
   // Another lobe lies beyond the ellipse, but not beyond the virtual penetration.
-  difference = std::max(difference / edge_gap, width_difference());
+  difference =
+      std::max({difference / edge_gap, width_difference(),
+                side_.strips.difference_along(contact_, frame_.longitudinal.x * half_length)});
   return inside ? std::max(0.0, 1.0 - difference) : 0.0;
 }
 
 } // namespace
 
 std::unique_ptr<PatchModel> make_hertz_patch(const ModelWheel& side, const ContactPatch& place) {
-  const auto contact = side.strips.at(place.deepest_s);
-  if (!contact) {
-    throw Error(ErrorCode::no_contact, "solve.model = \"hertz\": the wheel has no curvature along "
-                                       "the rail where it touches, at s_wheel = " +
-                                           short_text_of(place.deepest_s) +
-                                           " mm; allowed here is \"half-space\"");
-  }
-  return std::make_unique<HertzPatch>(side, place, *contact);
+  return std::make_unique<HertzPatch>(side, place,
+                                      side.strips.touching_at(place.deepest_s, "hertz"));
 }
 
 } // namespace wrc

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <vector>
 
-#include "base/error.hpp"
 #include "base/root_bracket.hpp"
 #include "models/kik_piotrowski.hpp"
 #include "models/patch_model.hpp"
@@ -236,8 +235,9 @@ double KikPiotrowskiPatch::validity() const {
     moment += strip.weight * strip.half_length_square * strip.lateral;
   }
   const double centre = moment / volume;
-  const double half_width = virtual_.area / (std::numbers::pi * std::sqrt(greatest_square_));
-  double difference = 0.0;
+  const double half_length = std::sqrt(greatest_square_);
+  const double half_width = virtual_.area / (std::numbers::pi * half_length);
+  double difference = side_.strips.difference_along(contact_, frame_.longitudinal.x * half_length);
   const auto compare = [&](double lateral, double square) {
     const double place = (lateral - centre) / half_width;
     difference = std::max(difference, std::abs(square / greatest_square_ - (1.0 - place * place)));
@@ -318,14 +318,8 @@ std::vector<double> KikPiotrowskiPatch::sample(const Grid& grid) const {
 std::unique_ptr<PatchModel> make_kik_piotrowski_patch(const ModelWheel& side,
                                                       const ContactPatch& place,
                                                       const ContactFrame& frame) {
-  const auto contact = side.strips.at(place.deepest_s);
-  if (!contact) {
-    throw Error(ErrorCode::no_contact,
-                "solve.model = \"kik-piotrowski\": the wheel has no curvature along the rail where "
-                "it touches, at s_wheel = " +
-                    short_text_of(place.deepest_s) + " mm; allowed here is \"half-space\"");
-  }
-  return std::make_unique<KikPiotrowskiPatch>(side, place, frame, *contact);
+  return std::make_unique<KikPiotrowskiPatch>(
+      side, place, frame, side.strips.touching_at(place.deepest_s, "kik-piotrowski"));
 }
 
 } // namespace wrc

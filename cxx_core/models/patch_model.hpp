@@ -10,17 +10,20 @@
 /// n . (-p, -q, 1), n the plane's normal, p and q the rail's slopes. The part of a patch that
 /// penetrates by more than 0.45 of the maximum is its contact, whether connected or not.
 ///
-/// Validity, between 0 and 1: 1 less the largest difference between the lateral shape found and the
-/// one that the model's half-space solution assumes, relative to that:
+/// Validity, between 0 and 1: 1 less the largest difference between the shape found and the one
+/// that the model's half-space solution assumes, relative to that:
 ///   Hertz: |gap - S y^2/2| over S b^2/2 within the ellipse, |y| <= b; and at both ends of virtual
 ///   penetration, of which one lies in another lobe if there is one, gap and S y^2/2, the smaller
 ///   one against the larger;
 ///   Kik & Piotrowski: |l^2/l_max^2 - (1 - (y/w)^2)|, against the ellipse of the same area and
-///   length about the same centre, at the strips and at both ends.
-/// 0 if several regions make up the patch, or if contact ends at the end of a profile or at the
-/// border to a neighbour; times 1 - coupling weight to that neighbour, since models do not couple
-/// patches. Units mm, N, MPa, rad; left-hand frame of the side. Thread rule: one object, one
-/// thread.
+///   length about the same centre, at the strips and at both ends;
+///   both, of profiles that vary: |gap - kappa x^2/2| over kappa a^2/2 along the rail through the
+///   deepest point, within the length a of contact, or of virtual penetration, to each side.
+/// 0 if several regions make up the patch, of which models know only that of the deepest point where
+/// it is of several scans (both ends of a flat or of a gap), or if contact ends at the end of a
+/// profile or at the border to a neighbour; times 1 - coupling weight to that neighbour, since
+/// models do not couple patches. Units mm, N, MPa, rad; left-hand frame of the side. Thread rule:
+/// one object, one thread.
 #pragma once
 
 #include <memory>

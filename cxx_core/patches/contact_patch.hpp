@@ -40,7 +40,8 @@ struct ContactPatch {
   int lobes = 1;        ///< joined in it
   std::size_t scan = 0; ///< that it was found in, of several
   bool shares_plane_with_previous =
-      false; ///< shares its plane with the patch before: both are one contact
+      false;                ///< shares its plane with the patch before: both are one contact
+  bool joins_scans = false; ///< found in several, of which `scan` has the deepest point
 
   /// Whether the deepest point of another patch, at another depth, lies in this one.
   [[nodiscard]] bool holds(const ContactPatch& other) const {

@@ -138,6 +138,7 @@ ContactPatch joined(const ContactPatch& one, const ContactPatch& other) {
   };
   both.deviation = std::sqrt(mean(square(one), square(other)));
   both.rise = mean(one.rise, other.rise);
+  both.joins_scans = one.joins_scans || other.joins_scans || one.scan != other.scan;
   both.mean_x = mean(one.mean_x, other.mean_x);
   both.mean_y = mean(one.mean_y, other.mean_y);
   both.mean_s = mean(one.mean_s, other.mean_s);

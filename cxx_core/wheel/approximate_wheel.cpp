@@ -39,6 +39,9 @@ private:
   [[nodiscard]] double first_depth() const;
   /// Patches at a depth, each with a model.
   void find_patches(double depth);
+  /// How close two patches of different scans are, which have no links, by their distance alone.
+  [[nodiscard]] double weight_across_scans(const ContactPatch& one,
+                                           const ContactPatch& other) const;
   [[nodiscard]] double load_at(double depth) const;
   /// Depth at which the patches found carry the load.
   [[nodiscard]] double depth_of_load(double start) const;
@@ -96,8 +99,25 @@ void ApproximateWheel::find_patches(double depth) {
                           : make_kik_piotrowski_patch(scan, patch.penetration, patch.frame));
   }
   for (std::size_t k = 0; k < models_.size(); ++k) {
-    planned_.patches[k].frame = models_[k]->frame();
+    Patch& patch = planned_.patches[k];
+    patch.frame = models_[k]->frame();
+    for (const Patch& other : planned_.patches) {
+      patch.coupling_weight = std::max(patch.coupling_weight,
+                                       weight_across_scans(patch.penetration, other.penetration));
+    }
   }
+}
+
+double ApproximateWheel::weight_across_scans(const ContactPatch& one,
+                                             const ContactPatch& other) const {
+  const double joining = request_.joining_distance;
+  if (one.scan == other.scan || !(joining > 0.0)) {
+    return 0.0;
+  }
+  const double along = std::max(one.x_first - other.x_last, other.x_first - one.x_last);
+  const double across = std::max(one.y_first - other.y_last, other.y_first - one.y_last);
+  const double apart = std::hypot(std::max(along, 0.0), std::max(across, 0.0));
+  return std::clamp(2.0 - apart / joining, 0.0, 1.0);
 }
 
 double ApproximateWheel::load_at(double depth) const {
@@ -194,7 +214,9 @@ void ApproximateWheel::publish_patches() {
     Patch& patch = result_.patches.emplace_back(std::move(planned_.patches[k]));
     sample(patch, *models_[k], modelled);
     result_.peak_pressure = std::max(result_.peak_pressure, modelled.peak_pressure);
-    validity = std::min(validity, modelled.validity * (1.0 - patch.coupling_weight));
+    validity = std::min(validity, patch.penetration.joins_scans
+                                      ? 0.0
+                                      : modelled.validity * (1.0 - patch.coupling_weight));
   }
   std::stable_sort(
       result_.patches.begin(), result_.patches.end(),

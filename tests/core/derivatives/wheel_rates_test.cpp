@@ -119,6 +119,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Manchester two lobes", "S1002", "UIC60-Manchester", 5.0, 4e-4},
         Case{"LMA", "LMA", "CHN60", 4.0}, Case{"LMA flange", "LMA", "CHN60", 9.0, 1e-3},
         Case{"vertical gaps", "S1002", "60E1", 2.0, 2e-3, 0.0, 5e-3, GapConvention::vertical},
+        Case{"yawed vertical gaps", "S1002", "60E1", 2.0, 2e-3, 0.02, 5e-3,
+             GapConvention::vertical},
         Case{"turned to a neighbour", "S1002", "60E1", 4.1, 1e-3},
         Case{"two patches", "S1002", "60E1", 6.4, 0.0, 0.02, 5e-3, GapConvention::tangent,
              Interaction::near, 2},
@@ -200,6 +202,50 @@ TEST(SideSensitivitiesAtTheEndOfARail, AreThoseOfElementsThatStayWhereItVaries) 
     const double slope = products / squares;
     EXPECT_NEAR(rates->force.vertical.force.z, slope, tolerance * std::abs(slope)) << end;
   }
+}
+
+/// A crown turned about the vertical axis through the track's middle, by slices.
+LeftBodies on_turned_crown(const WheelSurface& wheel, double angle) {
+  const double cosine = std::cos(angle);
+  const Curve section = curve_of([cosine](double y) {
+    const Height height = crown_at(cosine * y);
+    return Height{height.value, cosine * height.first, cosine * cosine * height.second};
+  });
+  return {wheel, rail_of(profile_of(places_every(-100.0, 100.0, 50.0), [&](double x) {
+            const double shift =
+                x * std::tan(angle) + level_track.origin.value() * (1.0 / cosine - 1.0);
+            return section.moved(0.0, shift, 0.0);
+          }))};
+}
+
+/// The wheelset turns with it.
+TEST(SideSensitivitiesOfVerticalGaps, TurnWithTheRail) {
+  constexpr double angle = 0.04;
+  const WheelSurface wheel(standard_profile("S1002"), wheelset);
+  const Pose pose{-15.0, 0.02, 3e-3};
+  const Pose turned{pose.lateral / std::cos(angle), pose.yaw + angle, pose.roll};
+  const Profile section = first_of(tilted_crown({0.0}, 0.0), ProfileKind::rail);
+  const LeftBodies level(wheel, RailSurface(section, level_track));
+  WheelRequest request = under_load(80000.0, AccuracyOf::forces);
+  request.gap = GapConvention::vertical;
+  const WheelResult one = solve_left(level, request, pose);
+  const WheelResult other = solve_left(on_turned_crown(wheel, angle), request, turned);
+  EXPECT_NEAR(other.depth, one.depth, 1e-3 * one.depth);
+  const std::optional<WheelRates> rates = wheel_rates_of(one);
+  const std::optional<WheelRates> of_turned = wheel_rates_of(other);
+  ASSERT_TRUE(rates && of_turned);
+  const Rotation rotation({0.0, angle, 0.0});
+  const auto expect_turned = [&](const WheelForce& found, const WheelForce& before, double factor,
+                                 double lever, const char* name) {
+    const double tolerance = 1e-2 * lever * norm(rates->by_pressures.vertical.force);
+    EXPECT_LT(norm(found.force - factor * rotation.to_track(before.force)), tolerance) << name;
+  };
+  const ForceRates& to = of_turned->by_pressures;
+  const ForceRates& from = rates->by_pressures;
+  expect_turned(to.vertical, from.vertical, 1.0, 1.0, "vertical");
+  expect_turned(to.lateral, from.lateral, std::cos(angle), 0.1, "lateral");
+  expect_turned(to.roll, from.roll, 1.0, arm, "roll");
+  expect_turned(to.yaw, from.yaw, 1.0, 0.1 * arm, "yaw");
 }
 
 /// The part of the contact search that a result keeps gives the patches that the whole search

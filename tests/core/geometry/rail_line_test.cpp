@@ -140,10 +140,18 @@ TEST(RailLine, MeetsACurveAsItMeetsEqualSlices) {
     for (double y = 728.0; y <= 772.0; y += 4.3) {
       const Vector3 base{3.0, y, -1.0};
       const Vector3 direction = (1.0 / std::hypot(1.0, across)) * Vector3{0.0, across, 1.0};
-      const Vector3 beside = cross(direction, along_track);
-      EXPECT_NEAR(one.meet(base, direction).value(), other.meet(base, direction).value(), 1e-11);
+      const double met = one.meet(base, direction).value();
+      EXPECT_NEAR(met, other.meet(base, direction).value(), 1e-11);
       EXPECT_NEAR(one.lateral(), other.lateral(), 1e-11);
-      EXPECT_NEAR(one.inclination(beside, direction), other.inclination(beside, direction), 1e-12);
+      for (const double yaw : {0.0, 0.2}) {
+        const Vector3 beside =
+            std::cos(yaw) * cross(direction, along_track) - std::sin(yaw) * along_track;
+        constexpr double step = 1e-4;
+        const double rise =
+            (RailLine(prismatic, 750.0).meet(base + step * beside, direction).value() - met) / step;
+        EXPECT_NEAR(one.inclination(beside, direction), rise, 1e-6) << yaw;
+        EXPECT_NEAR(other.inclination(beside, direction), rise, 1e-6) << yaw;
+      }
       const Vector3 way = cross(one.normal().normal, along_track);
       EXPECT_LT(norm(turn_of(one, way) - turn_of(other, way)), 1e-9);
       EXPECT_NEAR(one.height(3.0, y).value().height, other.height(3.0, y).value().height, 1e-11);

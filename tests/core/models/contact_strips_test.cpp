@@ -1,13 +1,18 @@
 // Strips along the rail against bodies with closed forms and against differences.
 #include "models/contact_strips.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "geometry/varying_search.hpp"
 #include "geometry/varying_shapes.hpp"
 #include "profile/profile.hpp"
+#include "support/errors.hpp"
 #include "support/simple_profiles.hpp"
 
 namespace wrc::test::contact_strips_test {
@@ -108,6 +113,95 @@ TEST(ContactStrips, BetweenTheRowsOfASearchAreThoseOfTheLocus) {
   }
   EXPECT_FALSE(of_rows.at(200.0));
   EXPECT_FALSE(ContactStrips(wheel, sliced, pose).at(top)); // without rows
+}
+
+/// A rail through slices, and rows on it, given by their places on the wheel and their curvatures.
+class StripsOfRows : public testing::Test {
+protected:
+  struct Row {
+    double s;
+    double curvature;
+  };
+  [[nodiscard]] static std::vector<DistanceSample> rows_of(const std::vector<Row>& rows) {
+    std::vector<DistanceSample> samples;
+    for (const Row& row : rows) {
+      const double y = 750.0 + 0.5 * static_cast<double>(samples.size());
+      samples.push_back({{{0.0, y, 0.0}, row.s, row.curvature}, 0.0, 0.0, 0.0});
+    }
+    return samples;
+  }
+  [[nodiscard]] ContactStrips strips(const std::vector<DistanceSample>& rows,
+                                     const Pose& pose = {}) const {
+    return {wheel_, rail_, pose, rows};
+  }
+
+private:
+  WheelSurface wheel_{cylindrical_wheel(), dimensions};
+  RailSurface rail_ = rail_of(crown_along({-100.0, 100.0}, [](double) { return 0.0; }));
+};
+
+/// A cubic through these is negative between the second and the third.
+TEST_F(StripsOfRows, HaveCurvatureBesideTheEndOfAFlat) {
+  const double flat = 5.6e-5;
+  const auto rows =
+      rows_of({{0.0, flat}, {0.5, flat}, {1.0, flat}, {1.5, 39.0 * flat}, {2.0, 39.0 * flat}});
+  for (double s = 0.0; s <= 2.0; s += 0.05) {
+    const auto strip = strips(rows).at(s);
+    ASSERT_TRUE(strip) << s;
+    EXPECT_GE(strip->longitudinal_curvature, (1.0 - 1e-12) * flat) << s;
+    EXPECT_LE(strip->longitudinal_curvature, (1.0 + 1e-12) * 39.0 * flat) << s;
+  }
+}
+
+TEST_F(StripsOfRows, RefuseRowsThatTurnBackAlongTheWheel) {
+  const auto rows = rows_of({{0.0, 2e-3}, {0.5, 2e-3}, {0.4, 2e-3}, {0.9, 2e-3}, {1.4, 2e-3}});
+  expect_error(
+      ErrorCode::invalid_argument,
+      [&] {
+        (void)strips(rows, {0.0, 0.12, 0.0}).at(0.45);
+      },
+      "turn back", "0.45", "half-space");
+}
+
+TEST_F(StripsOfRows, SayWhatATouchLacks) {
+  const auto refused = [&](const std::vector<Row>& rows, const std::string& text) {
+    expect_error(
+        ErrorCode::no_contact, [&] { (void)strips(rows_of(rows)).touching_at(0.25, "hertz"); },
+        "\"hertz\"", "0.25", text);
+  };
+  refused({{0.0, 2e-3}, {0.5, 2e-3}, {1.0, 2e-3}}, "fewer than 4 rows");
+  refused({{0.0, -2e-3}, {0.5, -2e-3}, {1.0, -2e-3}, {1.5, -2e-3}}, "no curvature along the rail");
+}
+
+/// On the crest of a wave.
+TEST(ContactStrips, CompareTheGapAlongTheRailWithItsParabola) {
+  const WheelSurface wheel(cylindrical_wheel(), dimensions);
+  const double amplitude = 0.02;
+  const double wave_number = 2.0 * std::numbers::pi / 40.0;
+  const RailSurface rail = rail_of(crown_along(places_every(-60.0, 60.0, 1.0), [&](double x) {
+    return amplitude * std::cos(wave_number * x);
+  }));
+  VaryingSearch search(wheel, rail);
+  ASSERT_TRUE(search.try_scan({}));
+  const ContactScan scan = search.scans(0.1).front();
+  const ContactStrips strips(wheel, rail, {}, scan.samples);
+  const auto strip = strips.at(scan.candidates.front().wheel.lateral);
+  ASSERT_TRUE(strip);
+  for (const double half : {1.0, 4.0, 12.0}) {
+    double largest = 0.0;
+    const double parabola = 0.5 * strip->longitudinal_curvature;
+    for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+      const double x = share * half;
+      const double gap =
+          460.0 - std::sqrt(460.0 * 460.0 - x * x) + amplitude * (1.0 - std::cos(wave_number * x));
+      largest = std::max(largest, std::abs(gap - parabola * x * x));
+    }
+    EXPECT_NEAR(strips.difference_along(*strip, half), largest / (parabola * half * half), 1e-4)
+        << half;
+  }
+  EXPECT_EQ(strips.difference_along(*strip, 70.0), 1.0); // beyond the slices
+  const RailSurface prismatic(circular_rail(300.0), level_track);
+  EXPECT_EQ(ContactStrips(wheel, prismatic, {}).difference_along(*strip, 12.0), 0.0);
 }
 
 TEST(ContactStrips, EndWithTheProfiles) {
