@@ -10,6 +10,7 @@
 #include "derivatives/gap_rates.hpp"
 #include "derivatives/patch_rates.hpp"
 #include "derivatives/plane_rates.hpp"
+#include "geometry/contact_search.hpp"
 #include "mechanics/coupled_influence.hpp"
 #include "patches/constants.hpp"
 #include "remesh/contact_border.hpp"
@@ -27,16 +28,19 @@ struct Planes {
   [[nodiscard]] bool stay() const { return moving.found.patches.empty(); }
 };
 
-Planes find_planes(const WheelDetails& details, std::span<const PatchResult* const> patches) {
+Planes find_planes(const WheelResult& side, std::span<const PatchResult* const> patches) {
+  const WheelDetails& details = side.details;
   if (!details.pair().is_prismatic_along(along_track)) {
     Planes planes;
     planes.moving.rates.resize(1);
     planes.index.assign(patches.size(), 0);
     return planes;
   }
+  const double depth = side.vertical - details.vertical;
+  const ContactScan scan = search_contacts(*details.wheel, *details.rail, details.pose, depth);
   Planes planes;
-  planes.moving = find_moving_patches(*details.wheel, *details.rail, details.pose,
-                                      details.source.scan, details.source.depth, details.request);
+  planes.moving = find_moving_patches(*details.wheel, *details.rail, details.pose, scan, depth,
+                                      details.request);
   const auto& found = planes.moving.found.patches;
   for (const PatchResult* patch : patches) {
     const auto apart = [patch](const ContactPatch& place) {
@@ -193,7 +197,7 @@ ByMotion<double> angle_rates_of(const ContactFrame& frame, const PlaneRates& pla
 WheelRates compute_rates(const WheelResult& side) {
   const WheelDetails& details = side.details;
   const std::vector<const PatchResult*> patches = solved_patches(side);
-  const Planes planes = find_planes(details, patches);
+  const Planes planes = find_planes(side, patches);
   std::vector<LoadedPatch> loaded;
   std::vector<ByMotion<Vector3>> references;
   std::vector<SolvedPatch> solved;

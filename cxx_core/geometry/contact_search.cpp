@@ -442,4 +442,11 @@ ContactScan contacts_of(const SideSearch& search, double near_tolerance) {
   return scan;
 }
 
+ContactScan search_contacts(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose,
+                            double near_tolerance) {
+  SideSearch search(wheel, rail);
+  search.scan(pose);
+  return contacts_of(search, near_tolerance);
+}
+
 } // namespace wrc

@@ -11,7 +11,7 @@
 /// to a pose nearby, which costs little but sees nothing else.
 ///
 /// Units mm and rad; track frame, left side (geometry/frames.hpp).
-/// Thread rule: one SideSearch, one thread.
+/// Thread rule: search_contacts is a pure function; one SideSearch, one thread.
 #pragma once
 
 #include <cmath>
@@ -141,5 +141,8 @@ private:
 /// The result of a search whose pose has been scanned. `near_tolerance` (mm, >= 0): a candidate is
 /// kept if its distance exceeds the least one by no more.
 ContactScan contacts_of(const SideSearch& search, double near_tolerance);
+/// Scans one pose first. Throws Error(no_contact) if no part of the wheel is over the rail.
+ContactScan search_contacts(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose,
+                            double near_tolerance);
 
 } // namespace wrc

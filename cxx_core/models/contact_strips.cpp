@@ -59,12 +59,12 @@ private:
 
 } // namespace
 
-bool ContactStrips::are_prismatic() const {
+bool ContactStrips::have_locus() const {
   return WheelAndRail{wheel_, rail_}.is_prismatic_along(along_track);
 }
 
 std::optional<ContactStrip> ContactStrips::at(double s) const {
-  const auto strip = are_prismatic() ? on_locus(s) : between_rows(s);
+  const auto strip = have_locus() ? on_locus(s) : between_rows(s);
   return strip && strip->longitudinal_curvature > 0.0 ? strip : std::nullopt;
 }
 
@@ -81,7 +81,7 @@ ContactStrip ContactStrips::touching_at(double s, std::string_view model) const 
 }
 
 double ContactStrips::difference_along(const ContactStrip& strip, double half_length) const {
-  if (are_prismatic()) {
+  if (have_locus()) {
     return 0.0;
   }
   GapField field(wheel_, rail_, pose_);

@@ -60,7 +60,8 @@ public:
   [[nodiscard]] double difference_along(const ContactStrip& strip, double half_length) const;
 
 private:
-  [[nodiscard]] bool are_prismatic() const;
+  /// Whether strips follow the contact locus, that of a round wheel on a prismatic rail.
+  [[nodiscard]] bool have_locus() const;
   [[nodiscard]] std::optional<ContactStrip> on_locus(double s) const;
   [[nodiscard]] std::optional<ContactStrip> between_rows(double s) const;
 

@@ -47,7 +47,6 @@ struct ContactPatch {
   [[nodiscard]] bool holds(const ContactPatch& other) const {
     return y_first <= other.deepest_y && other.deepest_y <= y_last;
   }
-  bool operator==(const ContactPatch&) const = default;
 };
 
 /// Which patches of a wheel displace each other.

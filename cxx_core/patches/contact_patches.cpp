@@ -115,10 +115,6 @@ ContactPatches find_contact_patches(const ContactScan& scan, double depth,
   return patch_finding::PatchFinder(scan, depth, options, places).find();
 }
 
-PatchSource source_of_patches(const ContactScan& scan, double depth) {
-  return {patch_finding::LocusSampler(scan, depth, PlainPlaces(scan)).scan_read(), depth};
-}
-
 ContactPatch joined(const ContactPatch& one, const ContactPatch& other) {
   ContactPatch both = one.deepest >= other.deepest ? one : other;
   const auto mean = [&](double of_one, double of_other) {

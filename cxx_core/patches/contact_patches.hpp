@@ -71,13 +71,6 @@ ContactPatches find_contact_patches(const ContactScan& scan, double depth,
 ContactPatches find_contact_patches(std::span<const ContactScan* const> scans, double depth,
                                     const PatchOptions& options);
 
-/// What patches are found from: the part of a scan that is read at a depth.
-struct PatchSource {
-  ContactScan scan;
-  double depth = 0.0;
-};
-PatchSource source_of_patches(const ContactScan& scan, double depth);
-
 /// Both as one, with one plane; the weights of both count.
 ContactPatch joined(const ContactPatch& one, const ContactPatch& other);
 

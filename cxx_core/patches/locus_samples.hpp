@@ -9,8 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
-#include <limits>
 #include <vector>
 
 #include "base/value_with_rates.hpp"
@@ -130,7 +128,7 @@ public:
   using Real = typename Source::Real;
 
   LocusSampler(const ContactScan& scan, double depth, const Source& source)
-      : scan_(scan), samples_(scan.samples), source_(source), depth_(depth),
+      : samples_(scan.samples), source_(source), depth_(depth),
         limit_(scan.candidates.front().distance + depth) {
     for (const ContactCandidate& candidate : scan.candidates) {
       if (candidate.distance <= limit_) {
@@ -145,18 +143,6 @@ public:
 
   /// Stretches that hold penetration, and one sample more at each end.
   [[nodiscard]] const std::vector<LocusSample<Real>>& samples() const { return places_; }
-  /// The part of the scan that they follow from.
-  [[nodiscard]] ContactScan scan_read() const {
-    ContactScan read{{}, {}, scan_.yaw_tangent};
-    if (first_read_ < last_read_) {
-      const auto begin = samples_.begin();
-      read.samples.assign(begin + static_cast<std::ptrdiff_t>(first_read_),
-                          begin + static_cast<std::ptrdiff_t>(last_read_));
-    }
-    std::ranges::copy_if(scan_.candidates, std::back_inserter(read.candidates),
-                         [this](const auto& contact) { return contact.distance <= limit_; });
-    return read;
-  }
   /// Index of the first contact.
   [[nodiscard]] std::size_t first_contact() const { return contact_place_; }
 
@@ -229,8 +215,6 @@ private:
   }
 
   void collect_run(std::size_t first, std::size_t last) {
-    first_read_ = std::min(first_read_, first);
-    last_read_ = last + 1;
     const std::size_t from = places_.size();
     places_.reserve(from + last - first + 1 + tops_.size());
     auto top = std::find_if(tops_.begin(), tops_.end(),
@@ -253,7 +237,6 @@ private:
     }
   }
 
-  const ContactScan& scan_;
   const std::vector<DistanceSample>& samples_;
   const Source& source_;
   double depth_;
@@ -261,9 +244,6 @@ private:
   std::vector<LocusSample<Real>> places_;
   std::size_t contact_place_ = 0;
   std::vector<Top> tops_; ///< along the profile
-  /// Of the samples.
-  std::size_t first_read_ = std::numeric_limits<std::size_t>::max();
-  std::size_t last_read_ = 0; ///< the one after it
 };
 
 } // namespace wrc::patch_finding

@@ -17,7 +17,6 @@
 #include "geometry/rail_surface.hpp"
 #include "geometry/wheel_surface.hpp"
 #include "mechanics/normal_contact.hpp"
-#include "patches/contact_patches.hpp"
 #include "records/creep_result.hpp"
 #include "records/damage_result.hpp"
 #include "records/friction_law.hpp"
@@ -77,7 +76,6 @@ struct WheelDetails {
   WheelRequest request;  ///< that was solved
   std::optional<PatchInteraction> interaction; ///< of the patches as they were solved
   std::optional<double> load;                  ///< vertical, of the normal problem; or none
-  PatchSource source;                          ///< of the patches at the depth found
   std::optional<WheelsetMotion> motion;        ///< from which creepages follow, left-hand frame
   FrictionLaw friction;                        ///< of creep forces
   std::shared_ptr<const WheelSurface> wheel;

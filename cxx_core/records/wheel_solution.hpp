@@ -11,7 +11,6 @@
 #include "accuracy/grid_solution.hpp"
 #include "base/warning.hpp"
 #include "mechanics/normal_contact.hpp"
-#include "patches/contact_patches.hpp"
 #include "records/wheel_request.hpp"
 
 namespace wrc {
@@ -32,7 +31,6 @@ struct WheelSolution {
   double depth = 0.0;         ///< vertical, from the first touch to that height
   std::optional<double> load; ///< vertical, of the normal problem; or the height was prescribed
   std::optional<PatchInteraction> interaction; ///< none: the patches do not interact
-  PatchSource source;                          ///< of the patches at the depth found
   double peak_pressure = 0.0;
   /// Relative, of forces or pressures as the accuracy; none if not known.
   std::optional<double> discretisation_error;

@@ -440,7 +440,6 @@ WheelSolution WheelSolver::solve() {
                    result_);
   warn_of_limit();
   publish(std::move(solution));
-  result_.source = source_of_patches(equilibrium_.scan, equilibrium_.vertical - result_.vertical);
   warn_of_patches(request_, result_);
   return std::move(result_);
 }

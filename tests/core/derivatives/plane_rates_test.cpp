@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/contact_search.hpp"
 #include "profile/standard_profiles.hpp"
-#include "support/search_contacts.hpp"
 
 namespace wrc::test::plane_rates_test {
 namespace {

@@ -15,8 +15,8 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/contact_search.hpp"
 #include "scene/solve_scene.hpp"
-#include "support/search_contacts.hpp"
 #include "support/simple_profiles.hpp"
 #include "support/varying_contact.hpp"
 
@@ -246,26 +246,6 @@ TEST(SideSensitivitiesOfVerticalGaps, TurnWithTheRail) {
   expect_turned(to.lateral, from.lateral, std::cos(angle), 0.1, "lateral");
   expect_turned(to.roll, from.roll, 1.0, arm, "roll");
   expect_turned(to.yaw, from.yaw, 1.0, 0.1 * arm, "yaw");
-}
-
-/// The part of the contact search that a result keeps gives the patches that the whole search
-/// gives.
-TEST(SideSensitivitiesUnderLoad, StandOnThePatchesAtTheDepthFound) {
-  for (const double lateral : {0.0, 3.0, 5.0, 6.4}) {
-    Scene scene;
-    scene.lateral = lateral;
-    scene.yaw = 0.01;
-    scene.left.rail.name = scene.right.rail.name = "UIC60-Manchester";
-    const SceneResult solved = solve_scene(scene);
-    const WheelDetails& details = solved.left->details;
-    const ContactScan whole =
-        search_contacts(*details.wheel, *details.rail, details.pose, solved.left->depth);
-    EXPECT_EQ(
-        find_contact_patches(details.source.scan, details.source.depth, details.request).patches,
-        find_contact_patches(whole, details.source.depth, details.request).patches)
-        << lateral;
-    EXPECT_NEAR(details.source.depth, solved.left->depth, 1e-12);
-  }
 }
 
 TEST(SideSensitivitiesByName, AreComputedOnRequest) {

@@ -9,7 +9,6 @@
 #include "base/error.hpp"
 #include "support/brute_force.hpp"
 #include "support/errors.hpp"
-#include "support/search_contacts.hpp"
 #include "support/simple_profiles.hpp"
 
 namespace wrc::test::contact_search_test {

@@ -8,7 +8,6 @@
 #include "base/error.hpp"
 #include "geometry/contact_search.hpp"
 #include "support/brute_force.hpp"
-#include "support/search_contacts.hpp"
 #include "support/simple_profiles.hpp"
 
 namespace wrc::test::partial_ridge_test {

@@ -1,5 +1,6 @@
 /// Least distances on rails and wheels that vary, against closed forms and searches in one
 /// variable.
+#include "geometry/contact_search.hpp"
 #include "geometry/varying_search.hpp"
 
 #include <cmath>
@@ -13,7 +14,6 @@
 #include "geometry/varying_shapes.hpp"
 #include "geometry/wheelset_equilibrium.hpp"
 #include "support/brute_force.hpp"
-#include "support/search_contacts.hpp"
 #include "support/simple_profiles.hpp"
 
 namespace wrc::test::varying_search_test {

@@ -1,5 +1,6 @@
 // Approximate models of one patch: crossed cylinders by Hertz's closed form, scaling with depth,
 // and pressures that add up to the force.
+#include "geometry/contact_search.hpp"
 #include "models/patch_model.hpp"
 
 #include <cmath>
@@ -7,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "models/hertz.hpp"
-#include "support/search_contacts.hpp"
 #include "support/simple_profiles.hpp"
 
 namespace wrc::test::patch_model_test {

@@ -199,32 +199,6 @@ TEST(ContactPatches, LobesInOnePlaneByTheirDistance) {
   EXPECT_NEAR(far.patches[0].weight, 0.5, 0.02);
 }
 
-/// To the last bit, at depths from none to several patches, with ridges under yaw.
-TEST(ContactPatches, AreFoundAgainFromThePartOfTheScanThatWasRead) {
-  const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, wheel_radius});
-  const RailSurface rail(standard_profile("UIC60-Manchester"), {1435.0, 14.0, 0.025});
-  constexpr double joining_distance = 4.0;
-  std::size_t most = 0;
-  for (const double yaw : {0.0, 0.03}) {
-    for (double lateral = -6.0; lateral < 7.0; lateral += 0.5) {
-      const ContactScan scan = equilibrium_of(wheel, rail, lateral, yaw).scan;
-      for (const double depth : {1e-6, 0.02, 0.1, 0.29}) {
-        SCOPED_TRACE(testing::Message() << yaw << ' ' << lateral << ' ' << depth);
-        const PatchSource source = source_of_patches(scan, depth);
-        EXPECT_LT(source.scan.samples.size(), scan.samples.size());
-        const ContactPatches first = find_contact_patches(scan, depth, {joining_distance});
-        const ContactPatches again =
-            find_contact_patches(source.scan, source.depth, {joining_distance});
-        EXPECT_EQ(first.patches, again.patches);
-        EXPECT_EQ(first.links, again.links);
-        EXPECT_EQ(first.main, again.main);
-        most = std::max(most, first.patches.size());
-      }
-    }
-  }
-  EXPECT_GT(most, 1u);
-}
-
 TEST(ContactPatches, TurnAndInteractByTheirDistanceInMillimetres) {
   // Two bowls of half widths sqrt(200 d) = 4 and sqrt(200 (d - 0.06)) = 2 mm, planes 0.1 rad apart:
   // independent by their widths when penetrations are 4 mm apart or more.
