@@ -129,7 +129,10 @@ CreepResult solve_patch(const PatchTask& task, RollingSolver& solver) {
       creep.power_of_pressures -
       (creep.longitudinal_force * creep.creepages.longitudinal +
        creep.lateral_force * creep.creepages.lateral + creep.spin_moment * creep.creepages.spin);
-  if (creep.power_of_pressures != 0.0) { // what the iteration leaves may be more than little power
+  // In steady rolling friction takes power. What the iteration leaves may be more than little of
+  // it, and Polach's law, which leaves out the moment of spin, gives some where spin opposes
+  // creepage.
+  if (!(motion.step_length > 0.0)) {
     creep.power_per_speed = std::max(creep.power_per_speed, 0.0);
   }
   creep.friction_power = motion.slip_speed * creep.power_per_speed;
