@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "creep/constants.hpp"
@@ -136,6 +137,9 @@ CreepResult solve_patch(const PatchTask& task, RollingSolver& solver) {
     creep.power_per_speed = std::max(creep.power_per_speed, 0.0);
   }
   creep.friction_power = motion.slip_speed * creep.power_per_speed;
+  if (patch.is_cut) {
+    creep.largest_traction = std::numeric_limits<double>::quiet_NaN();
+  }
   return creep;
 }
 
@@ -231,6 +235,9 @@ CreepResult creep_of_patch(const WheelResult& wheel, const PatchResult& patch,
   }
   if (whole.power_per_speed > 0.0) {
     whole.numerical_loss /= whole.power_per_speed;
+  }
+  if (patch.is_cut) {
+    whole.largest_traction = std::numeric_limits<double>::quiet_NaN();
   }
   return whole;
 }
