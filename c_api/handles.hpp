@@ -80,6 +80,7 @@ struct NormalResult {
   NormalProblem problem;
   NormalSolution solution;
   PressureRegion summary;
+  Warnings warnings;
   std::vector<double> displacement; ///< mm; empty until requested
   std::optional<Residuals> residuals;
 };

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
 
+#include "base/warning.hpp"
 #include "grid_contact.hpp"
 #include "half_space/displacement_operator.hpp"
 #include "pressure/contact_area.hpp"
@@ -101,6 +103,47 @@ const wrc::Residuals& residuals_of(NormalResult& result) {
   return *result.residuals;
 }
 
+/// With at least this number of elements across a contact its largest pressure is right within 4 %.
+/// origin: measured (1500 spheres on grids at random places): it is off by up to 88 % on one
+/// element across, 78 % on two, 9 % on three, 8 % on four, 3.3 % on five and 2.2 % on six.
+constexpr std::size_t enough_elements = 5;
+
+/// What is doubtful of pressures that solve the problem on its grid.
+wrc::Warnings warnings_of(const wrc::PressureRegion& contact) {
+  wrc::Warnings warnings;
+  if (contact.element_count == 0) {
+    return warnings;
+  }
+  if (contact.touches_edge.any()) {
+    warnings.push_back({wrc::WarningClass::grid_edge,
+                        "contact reaches the edge of the grid: if the bodies go on beyond it, the "
+                        "contact is larger and its pressures are lower"});
+  }
+  const std::size_t rows = contact.box.lateral_last - contact.box.lateral_first + 1;
+  const std::size_t columns = contact.box.longitudinal_last - contact.box.longitudinal_first + 1;
+  if (std::min(rows, columns) < enough_elements) {
+    warnings.push_back({wrc::WarningClass::accuracy,
+                        "contact covers " + std::to_string(rows) + " x " + std::to_string(columns) +
+                            " elements, lateral by longitudinal: too few for its pressures; use "
+                            "smaller elements"});
+  }
+  return warnings;
+}
+
+/// A text by its name, the entry of a list such as "warnings.0"; none of another name.
+const char* listed_text(const NormalResult& result, std::string_view name) {
+  for (std::size_t i = 0; i < result.warnings.size(); ++i) {
+    const wrc::Warning& warning = result.warnings[i];
+    if (name == "warnings." + std::to_string(i)) {
+      return warning.text.c_str();
+    }
+    if (name == "warning_classes." + std::to_string(i)) {
+      return wrc::name_of(warning.kind).data();
+    }
+  }
+  return nullptr;
+}
+
 struct NormalNumber {
   const char* name;
   double (*of)(NormalResult&);
@@ -120,6 +163,7 @@ constexpr auto normal_numbers = std::to_array<NormalNumber>({
               static_cast<double>(grid_of(result).element_count());
      }},
     {"iterations", [](NormalResult& result) { return double(result.solution.iterations); }},
+    {"warning_count", [](NormalResult& result) { return double(result.warnings.size()); }},
     {"residuals.load_balance",
      [](NormalResult& result) { return residuals_of(result).load_balance; }},
     {"residuals.least_gap", [](NormalResult& result) { return residuals_of(result).least_gap; }},
@@ -209,6 +253,7 @@ wrc_status wrc_normal_solve(wrc_normal* normal) {
       force = result.problem.load.value_or(force); // without the rounding of the sum
     }
     result.summary = wrc::summarise_pressure(grid_of(result), pressure_of(result));
+    result.warnings = warnings_of(result.summary);
     const bool converged = result.solution.stop_reason == wrc::StopReason::tolerance_met;
     std::string error = converged ? "" : "not converged: see stop_reason";
     // From here on nothing fails: the handle has the old results or all of the new ones.
@@ -232,11 +277,16 @@ wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const char** va
   return wrc::with_result(normal, [&](NormalObject&, NormalResult& result) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
-    if (std::string_view(name) != "stop_reason") {
-      wrc::refuse_name("text", normal_contact, name, "stop_reason");
+    const char* text = listed_text(result, name);
+    if (std::string_view(name) == "stop_reason") {
+      // Names are string literals, so their views end with a zero byte.
+      text = wrc::name_of(result.solution.stop_reason).data();
     }
-    // The name is a string literal, so the view ends with a zero byte.
-    *value = wrc::name_of(result.solution.stop_reason).data();
+    if (text == nullptr) {
+      wrc::refuse_name("text", normal_contact, name,
+                       "stop_reason, warnings.0 ..., warning_classes.0 ...");
+    }
+    *value = text;
     return WRC_OK;
   });
 }

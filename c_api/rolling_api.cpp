@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "grid_contact.hpp"
+#include "half_space/material.hpp"
 #include "rolling/fastsim.hpp"
 
 namespace {
@@ -219,6 +220,8 @@ wrc_status wrc_rolling_solve(wrc_rolling* rolling) {
                                   "wrc_rolling_set_pressure must be called first");
     }
     RollingProblem problem = object.problem;
+    problem.difference_parameter = wrc::effective_difference(problem.difference_parameter,
+                                                             problem.friction, problem.tolerance);
     problem.pressure = object.pressure;
     problem.slip_x = object.slip_x;
     problem.slip_y = object.slip_y;

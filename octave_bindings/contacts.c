@@ -1,6 +1,7 @@
 /*
  * Contact on grids of the caller's, and profiles.
  */
+#include <stdio.h>
 #include <string.h>
 
 #include "wrc_mex.h"
@@ -84,6 +85,7 @@ void normal(int result_count, mxArray** result, int count, const mxArray* const*
                                         "pmax_element",
                                         "fill",
                                         "iterations",
+                                        "warning_count",
                                         "residuals.load_balance",
                                         "residuals.least_gap",
                                         "residuals.complementarity",
@@ -96,6 +98,24 @@ void normal(int result_count, mxArray** result, int count, const mxArray* const*
   const char* reason = NULL;
   check(wrc_normal_text(open_handles.normal, "stop_reason", &reason));
   mxSetFieldByNumber(result[0], 0, mxAddField(result[0], "stop_reason"), mxCreateString(reason));
+  double count_of_warnings = 0.0;
+  check(wrc_normal_number(open_handles.normal, "warning_count", &count_of_warnings));
+  mxArray* texts = mxCreateCellMatrix((mwSize)count_of_warnings, 1);
+  mxArray* kinds = mxCreateCellMatrix((mwSize)count_of_warnings, 1);
+  for (int i = 0; i < (int)count_of_warnings; ++i) {
+    char name[32];
+    const char* kind = NULL;
+    const char* text = NULL;
+    snprintf(name, sizeof name, "warning_classes.%d", i);
+    check(wrc_normal_text(open_handles.normal, name, &kind));
+    snprintf(name, sizeof name, "warnings.%d", i);
+    check(wrc_normal_text(open_handles.normal, name, &text));
+    warn_as(kind, text);
+    mxSetCell(texts, (mwIndex)i, mxCreateString(text));
+    mxSetCell(kinds, (mwIndex)i, mxCreateString(kind));
+  }
+  mxSetFieldByNumber(result[0], 0, mxAddField(result[0], "warnings"), texts);
+  mxSetFieldByNumber(result[0], 0, mxAddField(result[0], "warning_classes"), kinds);
 }
 
 void rolling(int result_count, mxArray** result, int count, const mxArray* const* values) {

@@ -126,7 +126,8 @@ WRC_API wrc_status wrc_scene_write(wrc_scene* scene, const char* path);
  * Names of a wheel refer to all its patches together; patches are numbered from 0, largest normal
  * force first; "left.patch_count" is their number. Patches that share a plane count as one with
  * parts: "left.patches.0.parts.1.pmax". WRC_UNKNOWN_NAME if there is no patch of that index.
- * Since 0.1.
+ * Largest pressures and tractions are NaN where the end of a body cuts a contact: they have no
+ * bound there (docs/warnings.md, profile_end). Since 0.1.
  */
 WRC_API wrc_status wrc_scene_number(wrc_scene* scene, const char* name, double* value);
 /**
@@ -382,7 +383,7 @@ typedef struct wrc_patch {
   double largest_pressure; /**< old name of pmax */
   double friction_power;   /**< force times length per time */
   /* Members with the names of results; since 0.3: */
-  double pmax;
+  double pmax; /**< NaN where the end of a body cuts the patch: pressures have no bound there */
   double semi_axes_longitudinal; /**< of the Hertzian ellipse with its second moments of pressure */
   double semi_axes_lateral;
   double creep_force_longitudinal; /**< on the wheel */

@@ -84,6 +84,7 @@ WRC_API wrc_status wrc_normal_solve(wrc_normal* normal);
  *   "pmax_element"  MPa, largest element
  *   "fill"          fraction of the elements under pressure, 0 to 1
  *   "iterations"    of all grids the solver went through
+ *   "warning_count" how many texts "warnings.0", ... there are (wrc_normal_text)
  *   "residuals.load_balance", "residuals.least_gap", "residuals.complementarity"
  *                   how well the problem is solved, recomputed in double precision when first
  *                   requested: |force - load|/load (0 for a given approach), least gap without
@@ -92,7 +93,12 @@ WRC_API wrc_status wrc_normal_solve(wrc_normal* normal);
  * WRC_NO_RESULT, WRC_UNKNOWN_NAME. Since 0.1.
  */
 WRC_API wrc_status wrc_normal_number(wrc_normal* normal, const char* name, double* value);
-/** "stop_reason": "tolerance_met", "iteration_limit" or "stagnation". Since 0.1. */
+/**
+ * "stop_reason": "tolerance_met", "iteration_limit" or "stagnation". "warnings.0", "warnings.1",
+ * ...: what is doubtful of the result, and "warning_classes.0", ... the class of each, "grid_edge"
+ * of a contact that reaches the edge of the grid, "accuracy" of one on too few elements
+ * (docs/warnings.md). Since 0.1, warnings since 0.3. WRC_NO_RESULT, WRC_UNKNOWN_NAME.
+ */
 WRC_API wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const char** value);
 /**
  * "pressure" (MPa) or "displacement" (mm, both bodies together, computed when first requested), one

@@ -55,6 +55,16 @@ inline constexpr double free_pitch_tolerance = 0.01;
 /// of slips over them, are numbers for all moduli and loads.
 inline constexpr double least_friction = 1e-30;
 
+/// Friction that does not drive an axle: its pitch rate is that of rolling.
+/// origin: bound: pressures, which have no moment about the axle of a round wheel, are off by 1e-7
+/// of their force times its radius.
+inline constexpr double no_driving_friction = 1e-6;
+
+/// Evaluations of the torque after which the next one is where the wheels slide. With that and
+/// those below, a pitch rate takes 40 at most. origin: bound: steps grow fourfold, from a start
+/// that is right within a creepage of 1e-3.
+inline constexpr int outward_evaluations = 11;
+
 /// Largest number of evaluations of the torque after two pitch rates bracket the solution.
 /// origin: bound: ten settle what is smooth, halving by these leaves 4e-9 of the bracket.
 /// Between unlike bodies the alternation's own tolerance may exceed that of the torque: 90 once

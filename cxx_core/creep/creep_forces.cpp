@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "creep/constants.hpp"
@@ -129,10 +130,16 @@ CreepResult solve_patch(const PatchTask& task, RollingSolver& solver) {
       creep.power_of_pressures -
       (creep.longitudinal_force * creep.creepages.longitudinal +
        creep.lateral_force * creep.creepages.lateral + creep.spin_moment * creep.creepages.spin);
-  if (creep.power_of_pressures != 0.0) { // what the iteration leaves may be more than little power
+  // In steady rolling friction takes power. What the iteration leaves may be more than little of
+  // it, and Polach's law, which leaves out the moment of spin, gives some where spin opposes
+  // creepage.
+  if (!(motion.step_length > 0.0)) {
     creep.power_per_speed = std::max(creep.power_per_speed, 0.0);
   }
   creep.friction_power = motion.slip_speed * creep.power_per_speed;
+  if (patch.is_cut) {
+    creep.largest_traction = std::numeric_limits<double>::quiet_NaN();
+  }
   return creep;
 }
 
@@ -228,6 +235,9 @@ CreepResult creep_of_patch(const WheelResult& wheel, const PatchResult& patch,
   }
   if (whole.power_per_speed > 0.0) {
     whole.numerical_loss /= whole.power_per_speed;
+  }
+  if (patch.is_cut) {
+    whole.largest_traction = std::numeric_limits<double>::quiet_NaN();
   }
   return whole;
 }

@@ -37,15 +37,22 @@ public:
           greatest_friction(driven.request.friction) * normal_force * driven.request.nominal_radius;
       accuracy = std::max(accuracy, driven.request.accuracy);
     }
-    rolling_ = force > 0.0 ? motion.speed * force / radius : 0.0;
-    creepage_ =
-        std::hypot(motion.speed, motion.standstill_speed) / wheels.front().request.nominal_radius;
+    const double nominal = wheels.front().request.nominal_radius;
+    rolling_ = force > 0.0 ? motion.speed * force / radius : motion.speed / nominal;
+    largest_ = bound;
+    undriven_ = no_driving_friction * force * nominal;
+    creepage_ = std::hypot(motion.speed, motion.standstill_speed) / nominal;
     const bool unlike = std::ranges::any_of(
         wheels, [](const DrivenWheel& driven) { return unlike_bodies(driven.request); });
     tolerance_ = (unlike ? creep_iteration_share : free_pitch_tolerance) * accuracy * bound;
   }
 
   FreePitch find() {
+    if (largest_ <= undriven_) {
+      const bool slides = std::abs(torque_) > undriven_;
+      const double slip = slides ? std::copysign(creepage_, torque_) : 0.0;
+      return {unbalanced(rolling_ + slip, std::nullopt).place, slides};
+    }
     const Tangent cheap = find_cheaply();
     FreePitch found = find_from(cheap);
     found.ambiguous = cheap.another && !found.saturated;
@@ -112,7 +119,7 @@ private:
   }
 
   /// From the point evaluated last on, until the sum changes its sign; then between. Steps grow by
-  /// `growth` at most.
+  /// `growth` at most, and some lead to sliding at the latest.
   template <class Function> FreePitch search(double step, double growth, const Function& function) {
     Point ahead = last_;
     const double slowest = rolling_ - creepage_;
@@ -128,8 +135,9 @@ private:
       }
       const double slope = (ahead.value - behind.value) / (ahead.place - behind.place);
       const double widest = growth * std::abs(step);
-      step = std::copysign(
-          slope < 0.0 ? std::min(std::abs(2.0 * ahead.value / slope), widest) : widest, step);
+      const double next =
+          slope < 0.0 ? std::min(std::abs(2.0 * ahead.value / slope), widest) : widest;
+      step = std::copysign(evaluations_ < outward_evaluations ? next : fastest - slowest, step);
     }
     RootBracket bracket(last_, ahead, RootBracket::End::other);
     Point found = ahead;
@@ -150,6 +158,8 @@ private:
   RollingSolver& solver_;
   double rolling_ = 0.0;  ///< rate of pure rolling
   double creepage_ = 0.0; ///< what adds a longitudinal creepage of 1
+  double largest_ = 0.0;  ///< torque that friction holds
+  double undriven_ = 0.0; ///< torque below which friction does not drive
   double tolerance_ = 0.0;
   Point last_;
   int evaluations_ = 0; ///< by the requested model

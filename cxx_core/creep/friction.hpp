@@ -44,6 +44,15 @@ template <class Real> Real friction_of(const FrictionLaw& law, const Real& s, co
   return law.falls() ? at_rest * (share + Real(law.limit_ratio)) : at_rest;
 }
 
+/// Smallest friction at any position and speed of slip.
+inline double smallest_friction(const FrictionLaw& law) {
+  double smallest = law.coefficient;
+  if (!law.places.empty()) {
+    smallest = std::ranges::min(law.places, {}, &FrictionAtPlace::coefficient).coefficient;
+  }
+  return law.falls() ? law.limit_ratio * smallest : smallest;
+}
+
 /// Largest friction at rest, at any position.
 inline double greatest_friction(const FrictionLaw& law) {
   double greatest = law.places.empty() ? law.coefficient : 0.0;

@@ -1,5 +1,6 @@
 #include "half_space/material.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -8,6 +9,13 @@
 namespace wrc {
 
 namespace {
+
+/// Fraction of the accuracy below which the effect of different materials counts as none.
+/// origin: reasoned: too little to show in any result.
+constexpr double negligible_effect = 1e-3;
+/// K of bodies whose constants differ by rounding only.
+/// origin: derived: four units in the last place of each of the terms of K, which are 0.25 at most.
+constexpr double rounding_of_difference = 1e-15;
 
 /// (1 - nu^2)/E, 1/MPa.
 double compliance(const Material& material, const std::string& body) {
@@ -41,6 +49,11 @@ ShearConstants shear_constants(const Material& wheel, const Material& rail) {
       0.25 * constants.modulus *
       ((1.0 - 2.0 * wheel.poisson) * of_wheel - (1.0 - 2.0 * rail.poisson) * of_rail);
   return constants;
+}
+
+double effective_difference(double difference, double friction, double accuracy) {
+  const double negligible = negligible_effect * accuracy * std::min(friction, 1.0 / friction);
+  return std::abs(difference) > std::max(negligible, rounding_of_difference) ? difference : 0.0;
 }
 
 } // namespace wrc

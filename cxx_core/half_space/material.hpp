@@ -28,4 +28,8 @@ struct ShearConstants {
 
 ShearConstants shear_constants(const Material& wheel, const Material& rail);
 
+/// K where it has an effect, else 0. With friction mu it changes forces by about K/mu of mu N, and
+/// pressures by mu K of themselves: where both are far below the accuracy bodies are alike.
+double effective_difference(double difference, double friction, double accuracy);
+
 } // namespace wrc

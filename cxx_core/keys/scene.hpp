@@ -133,6 +133,8 @@ struct Scene : WheelOptions {
 
 /// Whether a profile is that of a slices file.
 bool is_sliced(const ProfileChoice& choice);
+/// Whether the waves of a wheel's radius are large enough to change a result of this accuracy.
+bool has_waves(const ProfileChoice& wheel, double accuracy);
 /// Whether both rails are prismatic along the track and both wheels round, as their profiles say:
 /// slices may be equal.
 bool has_prismatic_rails(const Scene& scene);

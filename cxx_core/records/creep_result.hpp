@@ -62,7 +62,7 @@ struct CreepResult {
   double spin_moment = 0.0;
   double slip_area = 0.0;
   double adhesion_area = 0.0;
-  double largest_traction = 0.0;
+  double largest_traction = 0.0; ///< not-a-number where an end of a body cuts the patch
   /// Power that friction dissipates over the speed, N: -F.w (of a patch with parts, the sum of
   /// theirs), plus that of the slip beyond creepages, plus `power_of_pressures`.
   double power_per_speed = 0.0;

@@ -28,14 +28,15 @@ struct WearTotals {
   double tgamma = 0.0;           ///< -(Fx xi + Fy eta), N
   double tgamma_with_spin = 0.0; ///< CreepResult::power_per_speed, N
   std::optional<double> volume;  ///< per distance rolled, mm^2; needs tractions by element
-  std::optional<double> depth;   ///< greatest across the profile, mm
+  std::optional<double>
+      depth; ///< greatest across the profile, mm; none where pressures have no bound
 };
 
 struct Fatigue {
-  double friction = 0.0;       ///< utilised: tangential over normal force
-  double pressure_ratio = 0.0; ///< p0/k
+  double friction = 0.0;                ///< utilised: tangential over normal force
+  std::optional<double> pressure_ratio; ///< p0/k; none where p0 has no bound
   ShakedownLimits limits;
-  double surface_index = 0.0;
+  std::optional<double> surface_index; ///< likewise
   double rail_damage = 0.0;
 };
 

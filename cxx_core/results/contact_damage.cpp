@@ -42,11 +42,24 @@ Wear wear_of_patch(const PatchResult& patch, const DamageRequest& request) {
                  request.law);
 }
 
+/// Takes back what follows from the largest pressure, which an end of a body leaves without a
+/// bound.
+void take_back_peaks(ContactDamage& damage) {
+  damage.stress.reset();
+  if (damage.wear) {
+    damage.wear->depth.reset();
+  }
+  if (damage.fatigue) {
+    damage.fatigue->pressure_ratio.reset();
+    damage.fatigue->surface_index.reset();
+  }
+}
+
 /// `pressure_error`: relative.
 ContactDamage damage_of(const PatchResult& patch, const DamageRequest& request,
                         double pressure_error) {
   ContactDamage damage;
-  if (request.stress && !patch.pressure.empty()) {
+  if (request.stress && !patch.pressure.empty() && !patch.is_cut) {
     damage.stress = stresses_below(patch, request).greatest();
     damage.stress->error_estimate += pressure_error;
   }
@@ -133,8 +146,17 @@ void find_damage(WheelResult& wheel, const DamageRequest& request) {
     for (PatchResult& part : patch.parts) {
       part.damage = damage_of(part, request, pressure_error);
       add(*patch.damage, *part.damage);
+      if (part.is_cut) {
+        take_back_peaks(*part.damage);
+      }
     }
     add(*wheel.damage, *patch.damage);
+    if (patch.is_cut) {
+      take_back_peaks(*patch.damage);
+    }
+  }
+  if (wheel.is_cut) {
+    take_back_peaks(*wheel.damage);
   }
 }
 

@@ -8,13 +8,10 @@
 #include "base/error.hpp"
 #include "geometry/wheelset_equilibrium.hpp"
 #include "remesh/contact_border.hpp"
+#include "results/constants.hpp"
 
 namespace wrc {
 namespace {
-
-constexpr const char* at_cut =
-    ": pressures there are too large and do not converge, forces jump by about 1 % of the load "
-    "as the contact passes";
 
 /// The end of a part between two elements of a row; empty if none is there.
 std::string end_between(const PatchResult& patch, const BorderPair& pair,
@@ -36,6 +33,10 @@ std::string end_between(const PatchResult& patch, const BorderPair& pair,
   return {};
 }
 
+double error_of_edge(double step, double semi_axis) {
+  return error_of_cut * step / std::max(semi_axis, 0.5 * step);
+}
+
 std::optional<ContactCut> cut_of(const PatchResult& patch, const WheelAndRail& bodies) {
   const std::vector<double>& distance = patch.undeformed_distance;
   bool at_side = false;
@@ -45,7 +46,8 @@ std::optional<ContactCut> cut_of(const PatchResult& patch, const WheelAndRail& b
     } else if (pair.ends || distance[pair.outside] - distance[pair.inside] > patch.approach) {
       if (const std::string where = end_between(patch, pair, bodies); !where.empty()) {
         return ContactCut{
-            true, {WarningClass::profile_end, "contact reaches an end of " + where + at_cut}};
+            true, "an end of " + where,
+            error_of_edge(patch.grid.longitudinal_step, patch.semi_axis_longitudinal)};
       }
     }
   }
@@ -53,27 +55,27 @@ std::optional<ContactCut> cut_of(const PatchResult& patch, const WheelAndRail& b
     return std::nullopt;
   }
   return ContactCut{
-      false,
-      {WarningClass::profile_end, std::string("contact reaches the side of a part") + at_cut}};
+      false, bodies.is_prismatic_along(along_track) ? "the end of a profile" : "the side of a part",
+      error_of_edge(patch.grid.lateral_step, patch.semi_axis_lateral)};
 }
 
 } // namespace
 
-std::optional<ContactCut> find_cut(std::span<const PatchResult> patches, const WheelSurface& wheel,
-                                   const RailSurface& rail) {
-  const WheelAndRail bodies{wheel, rail};
-  if (bodies.is_prismatic_along(along_track)) {
-    return std::nullopt;
-  }
+std::optional<ContactCut> mark_cuts(std::span<PatchResult> patches, const WheelSurface& wheel,
+                                    const RailSurface& rail) {
   std::optional<ContactCut> found;
-  for (const PatchResult& patch : patches) {
+  double error = 0.0;
+  for (PatchResult& patch : patches) {
     // Those of one plane are solved as parts.
-    auto cut = patch.parts.empty() ? cut_of(patch, bodies) : find_cut(patch.parts, wheel, rail);
-    if (cut && (!found || cut->is_along)) {
-      found = std::move(cut);
-      if (found->is_along) {
-        return found;
+    auto cut =
+        patch.parts.empty() ? cut_of(patch, {wheel, rail}) : mark_cuts(patch.parts, wheel, rail);
+    patch.is_cut = cut.has_value();
+    if (cut) {
+      error = std::max(error, cut->error);
+      if (!found || (cut->is_along && !found->is_along)) {
+        found = std::move(cut);
       }
+      found->error = error;
     }
   }
   return found;

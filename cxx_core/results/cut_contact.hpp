@@ -1,30 +1,33 @@
-/// Contacts that the end of a body which varies cuts off.
+/// Contacts that the end of a body cuts off.
 ///
 /// A part of a rail ends along the track at its first and last slice, a part of a wheel around the
-/// circumference, and both have sides. A patch is cut where an element under pressure is next to a
-/// ray that misses a body, or along to one beyond the end of a part whose distance is larger by
-/// more than the approach: another part lies below. Pressures at such an edge are unbounded, as
-/// under a rigid punch; those of elements grow as the elements shrink.
-/// Units mm and rad; frame of the side, left-hand (geometry/frames.hpp). Not covered: bodies that
-/// are prismatic along the track, of which the first touch is looked at. Thread rule: pure
-/// functions.
+/// circumference, and both have sides; so has a profile that is the same all along. A patch is cut
+/// where an element under pressure is next to a ray that misses a body, or along to one beyond the
+/// end of a part whose distance is larger by more than the approach: another part lies below.
+/// Pressures at such an edge are unbounded, as under a rigid punch; those of elements grow as the
+/// elements shrink. The edge is known to half an element, and so are depth and place.
+/// Units mm and rad; frame of the side, left-hand (geometry/frames.hpp). Thread rule: pure
+/// functions, except for the flags that are set.
 #pragma once
 
 #include <optional>
 #include <span>
+#include <string>
 
-#include "base/warning.hpp"
 #include "records/wheel_result.hpp"
 
 namespace wrc {
 
 struct ContactCut {
   bool is_along = false; ///< the end of a part, not its side
-  Warning warning;
+  std::string where;     ///< "an end of the rail at 100 mm"
+  double error = 0.0;    ///< estimated: of the depth, and of the place over the contact's semi-axis
 };
 
-/// Of the patches of a wheel the first cut along, else the first across; none where none is cut.
-std::optional<ContactCut> find_cut(std::span<const PatchResult> patches, const WheelSurface& wheel,
-                                   const RailSurface& rail);
+/// Of the patches of a wheel the first cut along, else the first across, with the largest error of
+/// all; none where none is cut.
+/// Sets PatchResult::is_cut of all that are, and of their parts.
+std::optional<ContactCut> mark_cuts(std::span<PatchResult> patches, const WheelSurface& wheel,
+                                    const RailSurface& rail);
 
 } // namespace wrc

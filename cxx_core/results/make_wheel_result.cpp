@@ -5,6 +5,7 @@
 #include <iterator>
 #include <span>
 
+#include "base/error.hpp"
 #include "geometry/first_touch.hpp"
 #include "geometry/side_frame.hpp"
 #include "models/hertz.hpp"
@@ -124,11 +125,30 @@ ContactPoint mean_point(const std::vector<PatchResult>& patches, double normal_f
   return mean;
 }
 
+/// The edge of a cut contact is an error of its own, whose warning takes the place of that of the
+/// accuracy.
 void note_cut(const WheelSurface& wheel, const RailSurface& rail, WheelResult& result) {
-  if (std::optional<ContactCut> cut = find_cut(result.patches, wheel, rail)) {
-    result.meets_part_end = true;
-    result.warnings.push_back(std::move(cut->warning));
+  const std::optional<ContactCut> cut = mark_cuts(result.patches, wheel, rail);
+  if (!cut) {
+    return;
   }
+  result.is_cut = true;
+  result.meets_part_end =
+      result.meets_part_end || !WheelAndRail{wheel, rail}.is_prismatic_along(along_track);
+  std::string estimate;
+  if (result.error_estimate) {
+    result.discretisation_error = std::hypot(*result.discretisation_error, cut->error);
+    result.error_estimate = std::hypot(*result.error_estimate, cut->error);
+    estimate =
+        ", depth and place with an estimated error of " + short_text_of(*result.error_estimate);
+    std::erase_if(result.warnings,
+                  [](const Warning& warning) { return warning.kind == WarningClass::accuracy; });
+  }
+  result.warnings.push_back(
+      {WarningClass::profile_end,
+       "contact reaches " + cut->where +
+           ": pressures have no bound there, so pmax and what follows from it are not given" +
+           estimate + ", and forces jump by about 1 % of the load as the contact passes"});
 }
 
 } // namespace

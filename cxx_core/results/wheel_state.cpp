@@ -50,11 +50,13 @@ std::optional<int> wheel_state(const WheelResult& wheel, std::optional<double> y
     state |= is_on_flange_tip(nodes, patch.reference.s_wheel) ? on_flange_tip : 0;
     state |= is_on_chamfer(nodes, patch.reference.s_wheel) ? on_chamfer : 0;
   }
-  return state | (yield_pressure && wheel.pmax > *yield_pressure ? beyond_yield : 0);
+  const bool yields = yield_pressure && (wheel.is_cut || wheel.pmax > *yield_pressure);
+  return state | (yields ? beyond_yield : 0);
 }
 
 void warn_of_pressure(WheelResult& wheel) {
-  if (!(wheel.pmax > hardest_steel) || wheel.details.request.combined_modulus > stiffest_steel) {
+  if (wheel.is_cut || !(wheel.pmax > hardest_steel) ||
+      wheel.details.request.combined_modulus > stiffest_steel) {
     return;
   }
   const auto pressed = std::max_element(

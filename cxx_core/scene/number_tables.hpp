@@ -83,15 +83,21 @@ inline double regions_of_patch(const PatchResult& patch) {
   return count;
 }
 
+/// A largest pressure; not-a-number where an end of a body leaves it without a bound.
+inline double peak_of(bool is_cut, double value) {
+  return is_cut ? none : value;
+}
+
 /// None of an approximate model.
 inline std::optional<double> of_plane(const PatchResult& patch, double value) {
   return patch.area ? std::nullopt : std::optional(value);
 }
 
 inline constexpr std::array patch_numbers{
-    OfPatch{"pmax", stress, member<&PatchResult::pmax>},
+    OfPatch{"pmax", stress, [](const PatchResult& p) { return peak_of(p.is_cut, p.pmax); }},
     OfPatch{"area", surface, [](const PatchResult& p) { return area_of_patch(p); }},
-    OfPatch{"pmax_element", stress, member<&PatchResult::pmax_element>},
+    OfPatch{"pmax_element", stress,
+            [](const PatchResult& p) { return peak_of(p.is_cut, p.pmax_element); }},
     OfPatch{"normal_force", force, [](const PatchResult& p) { return norm(p.force); }},
     OfPatch{"vertical_force", turning_force, member<&PatchResult::total_force, &Vector3::z>},
     OfPatch{"lateral_force", turning_force, member<&PatchResult::total_force, &Vector3::y>},
@@ -183,8 +189,9 @@ inline std::optional<double> derailment_quotient_of(const WheelResult& wheel) {
 
 inline constexpr std::array side_numbers{
     OfWheel{"vertical", turning_length, member<&WheelResult::vertical>},
-    OfWheel{"pmax", stress, member<&WheelResult::pmax>},
-    OfWheel{"pmax_element", stress, member<&WheelResult::pmax_element>},
+    OfWheel{"pmax", stress, [](const WheelResult& r) { return peak_of(r.is_cut, r.pmax); }},
+    OfWheel{"pmax_element", stress,
+            [](const WheelResult& r) { return peak_of(r.is_cut, r.pmax_element); }},
     OfWheel{"area", surface,
             [](const WheelResult& r) {
               double area = 0.0;

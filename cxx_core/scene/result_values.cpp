@@ -19,12 +19,15 @@ using namespace number_tables;
 struct Reading {
   const NumberId& id;
   const Convention& convention;
+  /// Whether it is of a number that is always there, if not-a-number at times.
+  mutable bool is_always = false;
 
   /// From a table; `none` if there is nothing the number could belong to.
   template <class Owner, std::size_t count>
   double value(const std::array<Number<Owner>, count>& table,
                const std::type_identity_t<Owner>* owner) const {
     const Number<Owner>& number = table[id.entry];
+    is_always = owner != nullptr && number.always;
     return owner != nullptr ? to_caller(number.value(*owner), convention, number.dimension) : none;
   }
 };
@@ -215,9 +218,10 @@ std::vector<std::string> number_names(SceneResult& result) {
   return names;
 }
 
-double number_value(SceneResult& result, const NumberId& id, const Convention& convention) {
-  const Reading reading{id, convention};
-  switch (id.group) {
+namespace {
+
+double read(SceneResult& result, const Reading& reading) {
+  switch (reading.id.group) {
   case NumberGroup::scene:
     return reading.value(scene_numbers, &result);
   case NumberGroup::time:
@@ -232,15 +236,25 @@ double number_value(SceneResult& result, const NumberId& id, const Convention& c
   default:
     break;
   }
-  std::optional<SceneWheel>& side = side_of(result, id);
+  std::optional<SceneWheel>& side = side_of(result, reading.id);
   return side ? side_value(*side, reading) : none;
+}
+
+} // namespace
+
+double number_value(SceneResult& result, const NumberId& id, const Convention& convention) {
+  return read(result, {id, convention});
 }
 
 std::optional<double> number_value(SceneResult& result, std::string_view name,
                                    const Convention& convention) {
   const auto id = number_id(name);
-  const double value = id ? number_value(result, *id, convention) : none;
-  return std::isnan(value) ? std::nullopt : std::optional(value);
+  if (!id) {
+    return std::nullopt;
+  }
+  const Reading reading{*id, convention};
+  const double value = read(result, reading);
+  return std::isnan(value) && !reading.is_always ? std::nullopt : std::optional(value);
 }
 
 std::string number_unit(const NumberId& id, Units units) {

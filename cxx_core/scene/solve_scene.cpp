@@ -7,6 +7,7 @@
 #include "base/stopwatch.hpp"
 #include "creep/creep_forces.hpp"
 #include "creep/free_pitch.hpp"
+#include "creep/friction.hpp"
 #include "creep/total_force.hpp"
 #include "results/contact_damage.hpp"
 #include "results/make_wheel_result.hpp"
@@ -49,6 +50,17 @@ EquilibriumRequest equilibrium_request_of(const Scene& scene) {
   return request;
 }
 
+} // namespace
+
+ShearConstants shear_constants_of(const Scene& scene, const SceneSide& side) {
+  ShearConstants constants = shear_constants(scene.wheel_material, scene.rail_material);
+  constants.difference_parameter = effective_difference(
+      constants.difference_parameter, smallest_friction(side.friction), scene.accuracy);
+  return constants;
+}
+
+namespace {
+
 /// What it needs besides the creepages.
 CreepRequest creep_options_of(const Scene& scene, const SceneSide& side) {
   CreepRequest request;
@@ -59,7 +71,7 @@ CreepRequest creep_options_of(const Scene& scene, const SceneSide& side) {
   request.pitch_is_free = scene.motion.has_value() && scene.pitch_is_free;
   request.derivatives = scene.derivatives;
   request.slip = {scene.slip, scene.slip_surface};
-  request.material = shear_constants(scene.wheel_material, scene.rail_material);
+  request.material = shear_constants_of(scene, side);
   request.combined_modulus = combined_modulus(scene.wheel_material, scene.rail_material);
   return request;
 }

@@ -22,6 +22,10 @@
 
 namespace wrc {
 
+/// Elastic constants of a wheel and its rail: of like bodies where the difference of theirs is too
+/// small to change a result (half_space/material.hpp).
+ShearConstants shear_constants_of(const Scene& scene, const SceneSide& side);
+
 /// A scene by itself: a pure function.
 SceneResult solve_scene(const Scene& scene);
 

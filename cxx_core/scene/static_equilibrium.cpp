@@ -15,9 +15,14 @@ namespace {
 
 using namespace dimensions;
 
-/// Solutions of Newton's method.
+/// Solutions: that of the start, and those of Newton's method.
 /// origin: bound: 4 to 8 are needed from tread to flange.
 constexpr int max_solutions = 40;
+
+/// Solutions in a row after which there is no such position, if none of them lessens the missing
+/// load by this fraction. origin: bound: steps are then a thousandth of Newton's.
+constexpr int max_vain_solutions = 10;
+constexpr double least_progress = 0.05;
 
 /// Distance of a wheel's contact from the wheelset's centre, mm, by which a moment is shared at the
 /// start, and least share of a wheel there.
@@ -32,12 +37,6 @@ constexpr double max_load = 1e7;
 /// Loads are met within this share of the accuracy.
 /// origin: bound: forces themselves are off by the accuracy.
 constexpr double accuracy_share = 0.01;
-
-/// Least determinant of the slopes, of the product of their lengths, and how far the wheelset is
-/// lowered below it, mm.
-/// origin: bound: a wheel in contact has 0.1 at the least; a lifted one 0.
-constexpr double least_determinant = 1e-6;
-constexpr double lowering = 0.1;
 
 using Two = std::array<double, 2>;
 using TwoByTwo = std::array<Two, 2>;
@@ -83,8 +82,27 @@ Two loads_of_wheels(LoadsOf of, const Two& loads) {
   return {std::max(half + moved, least), std::max(half - moved, least)};
 }
 
-/// Height and roll at which each wheel by itself would carry its load.
-Two start_of(Scene scene, const Two& loads, SceneSolver& solver) {
+/// Height and roll at which each wheel by itself would carry its load, its depth then, and which
+/// loads are so small that a wheel that touches carries them.
+struct Start {
+  Two place{};
+  Two depth{};
+  std::array<bool, 2> is_touch{};
+};
+
+/// Where a wheel touches or would touch.
+double lateral_of(const WheelResult& wheel) {
+  return wheel.patches.empty() ? wheel.rigid_contact.y : wheel.centroid.y;
+}
+
+/// Change of height and roll that raises both wheels by these amounts at their contacts.
+Two raise(const SceneResult& result, double lateral, const Two& by) {
+  const double left_y = lateral_of(*result.left);
+  const double turn = (by[0] - by[1]) / (left_y - lateral_of(*result.right));
+  return {by[0] - (left_y - lateral) * turn, turn};
+}
+
+Start start_of(Scene scene, const Two& loads, SceneSolver& solver) {
   scene.vertical.reset();
   scene.roll.reset();
   scene.normal_load.reset();
@@ -99,10 +117,11 @@ Two start_of(Scene scene, const Two& loads, SceneSolver& solver) {
   const SceneResult result = solver.solve(scene);
   const WheelResult& left = *result.left;
   const WheelResult& right = *result.right;
-  const double left_height = left.vertical - left.depth;
-  const double right_height = right.vertical - right.depth;
-  const double turn = (left_height - right_height) / (left.centroid.y - right.centroid.y);
-  return {left_height - (left.centroid.y - scene.lateral) * turn, result.roll + turn};
+  const Two change =
+      raise(result, scene.lateral, {left.vertical - left.depth, right.vertical - right.depth});
+  return {{change[0], result.roll + change[1]},
+          {left.depth, right.depth},
+          {left.patches.empty(), right.patches.empty()}};
 }
 
 Balance balance_of(SceneResult& result, LoadsOf of, const Two& loads) {
@@ -131,14 +150,21 @@ Balance balance_of(SceneResult& result, LoadsOf of, const Two& loads) {
   return balance;
 }
 
-/// Newton's change of height and roll; where a wheel carries nothing, down.
-Two step_of(const Balance& balance) {
+/// How far a wheel is above the height where it would carry its load by itself, if it is lifted.
+double lift_of(const WheelResult& wheel, double height, double depth) {
+  return wheel.patches.empty() ? height - wheel.vertical + depth : 0.0;
+}
+
+/// Newton's change of height and roll; lifted wheels, which have no slopes, are lowered.
+Two step_of(const Balance& balance, const SceneResult& result, const Two& place, const Start& start,
+            double lateral) {
+  const Two lift{lift_of(*result.left, place[0], start.depth[0]),
+                 lift_of(*result.right, place[0], start.depth[1])};
+  if (lift[0] > 0.0 || lift[1] > 0.0) {
+    return raise(result, lateral, {-lift[0], -lift[1]});
+  }
   const auto& [first, second] = balance.slope;
   const double determinant = first[0] * second[1] - first[1] * second[0];
-  const double size = std::hypot(first[0], second[0]) * std::hypot(first[1], second[1]);
-  if (!(std::abs(determinant) > least_determinant * size)) {
-    return {-lowering, 0.0};
-  }
   return {(balance.missing[0] * second[1] - balance.missing[1] * first[1]) / determinant,
           (balance.missing[1] * first[0] - balance.missing[0] * second[0]) / determinant};
 }
@@ -148,7 +174,7 @@ Two step_of(const Balance& balance) {
 StaticEquilibrium find_static_equilibrium(const Scene& scene, const VehicleState& state,
                                           const StaticLoads& loads, SceneSolver& solver) {
   const Convention& convention = scene.convention;
-  const Two requested = checked(loads, convention);
+  Two requested = checked(loads, convention);
   VehicleState with_slopes = state;
   with_slopes.position[2] = to_caller(scene.nominal_radius(), convention, turning_length);
   with_slopes.position[3] = 0.0;
@@ -156,26 +182,45 @@ StaticEquilibrium find_static_equilibrium(const Scene& scene, const VehicleState
   Scene posed = scene_at(scene, with_slopes);
   posed.side = SideChoice::both;
   const Two each = loads_of_wheels(loads.of, requested);
-  Two place = start_of(posed, each, solver);
   // Each wheel's load to its own size, an axle's moment to that of its load.
   const Two sizes = loads.of == LoadsOf::wheels ? requested : Two{requested[0], requested[0]};
+  const Start start = start_of(posed, each, solver);
+  const bool all_touch = start.is_touch[0] && start.is_touch[1];
+  for (std::size_t i = 0; i < requested.size(); ++i) {
+    if (loads.of == LoadsOf::wheels ? start.is_touch[i] : all_touch) {
+      requested[i] = 0.0;
+    }
+  }
+  Two place = start.place;
   const double tolerance = accuracy_share * posed.accuracy;
 
   StaticEquilibrium best;
   best.unbalanced = std::numeric_limits<double>::infinity();
   Two best_place = place;
   Two step{};
-  for (int solutions = 0; solutions < max_solutions && !best.converged; ++solutions) {
+  bool is_lifted = true; // one of the wheels, in the best place
+  int vain = 0;
+  for (int solutions = 1; solutions < max_solutions && vain < max_vain_solutions && !best.converged;
+       ++solutions) {
     posed.vertical = place[0];
     posed.roll = place[1];
     SceneResult result = solver.solve(posed);
     const Balance balance = balance_of(result, loads.of, requested);
     const double unbalanced =
         std::hypot(balance.missing[0] / sizes[0], balance.missing[1] / sizes[1]);
-    if (unbalanced < best.unbalanced) {
-      step = step_of(balance);
+    const bool lifts = (result.left->patches.empty() && !start.is_touch[0]) ||
+                       (result.right->patches.empty() && !start.is_touch[1]);
+    const bool meets = unbalanced <= tolerance;
+    const bool sets_down = is_lifted && !lifts;
+    const bool nears = lifts == is_lifted && unbalanced < best.unbalanced;
+    const bool gains =
+        sets_down || (nears && unbalanced < (1.0 - least_progress) * best.unbalanced);
+    vain = gains ? 0 : vain + 1;
+    if (meets || sets_down || nears) {
+      is_lifted = lifts;
+      step = step_of(balance, result, place, start, posed.lateral);
       best_place = place;
-      best = {posed, std::move(result), 0.0, 0.0, unbalanced, unbalanced <= tolerance};
+      best = {posed, std::move(result), 0.0, 0.0, unbalanced, meets};
     } else {
       step = {0.5 * step[0], 0.5 * step[1]};
     }

@@ -128,7 +128,7 @@ void check_slices(const ProfileChoice& choice, const ProfilePlacement& placement
                            placement.origin == WheelOrigin::tape ? "\"tape\"" : "\"flange-back\"",
                            allowed);
   }
-  if (placement.lateral_shift != 0.0) {
+  if (placement.is_shifted()) {
     throw_invalid_argument("wheelset.profile_shift", placement.lateral_shift, allowed);
   }
   if (placement.rotation) {
@@ -278,10 +278,14 @@ SceneSurfaces SurfaceCache::get(const Scene& scene) {
       return table + (side.*choice == other.*choice ? "" : name) + kind;
     };
     const bool is_solved = scene.side == SideChoice::both || scene.side == which;
+    ProfileChoice wheel = side.wheel;
+    if (!has_waves(wheel, scene.accuracy)) {
+      wheel.harmonics.clear();
+    }
     SideSurfaces found;
     found.wheel = get_one(
         wheels_,
-        {side.wheel, {scene.back_to_back, scene.tape_offset, side.radius}, scene.wheel_placement},
+        {wheel, {scene.back_to_back, scene.tape_offset, side.radius}, scene.wheel_placement},
         ProfileKind::wheel, key(&SceneSide::wheel, "wheelset.", "wheel"), which, is_solved,
         found.likely_wheels, surfaces);
     found.rail = get_one(rails_, {side.rail, scene.track}, ProfileKind::rail,

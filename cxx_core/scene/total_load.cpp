@@ -18,7 +18,7 @@ constexpr double total_share = 0.01;
 /// Number of solutions after which that fraction of the accuracy suffices, ...
 /// origin: reasoned: twice the number needed if nothing jumps.
 constexpr int usual_solutions = 12;
-/// ... and after which there is no load.
+/// ... and of the last one, after which there is no load.
 /// origin: bound: bisections of a jump down to the tolerance take 20 more.
 constexpr int most_solutions = 40;
 
@@ -35,9 +35,9 @@ constexpr std::array<const char*, 2> total_keys{"load.total_left", "load.total_r
 
 /// Permitted error of a total after this number of solutions, as a fraction of it.
 double permitted_share(int solutions, double accuracy) {
-  return solutions <= usual_solutions  ? std::min(total_tolerance, total_share * accuracy)
-         : solutions <= most_solutions ? total_share * accuracy
-                                       : accuracy;
+  return solutions <= usual_solutions ? std::min(total_tolerance, total_share * accuracy)
+         : solutions < most_solutions ? total_share * accuracy
+                                      : accuracy;
 }
 
 [[noreturn]] void refuse(const char* key, double total, double load, double carried) {
@@ -58,7 +58,7 @@ bool LoadSearch::is_met_by(double total, double accuracy, const char* key) {
   if (std::abs(found.excess) <= permitted_share(solutions_, accuracy) * total_) {
     return true;
   }
-  if (solutions_ > most_solutions || (found.excess < 0.0 && load_ >= largest_load * total_)) {
+  if (solutions_ >= most_solutions || (found.excess < 0.0 && load_ >= largest_load * total_)) {
     refuse(key, total_, load_, total);
   }
   (found.excess < 0.0 ? low_ : high_.emplace()) = found;
@@ -94,7 +94,7 @@ bool JointLoadSearch::are_met_by(const WheelNumbers& totals, double accuracy) {
   }
   for (std::size_t i = 0; i < excess.size(); ++i) {
     const bool stuck = excess[i] < 0.0 && loads_[i] >= largest_load * totals_[i];
-    if (stuck || (solutions_ > most_solutions && !(std::abs(excess[i]) <= share * totals_[i]))) {
+    if (stuck || (solutions_ >= most_solutions && !(std::abs(excess[i]) <= share * totals_[i]))) {
       refuse(total_keys[i], totals_[i], loads_[i], totals[i]);
     }
   }

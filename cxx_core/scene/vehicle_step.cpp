@@ -10,6 +10,7 @@
 #include "scene/model_choice.hpp"
 #include "scene/number_tables.hpp"
 #include "scene/patch_summary.hpp"
+#include "scene/solve_scene.hpp"
 
 namespace wrc {
 namespace {
@@ -126,12 +127,13 @@ void check_history(const Scene& scene, double time_step) {
         "history", "given",
         "allowed where a rail or a wheel varies is none: creep forces are steady rolling");
   }
-  const double difference =
-      shear_constants(scene.wheel_material, scene.rail_material).difference_parameter;
-  if (difference != 0.0) {
-    throw_invalid_argument("history", "wheel and rail of unlike materials",
-                           "allowed are materials whose difference parameter is 0, not " +
-                               short_text_of(difference));
+  for (const SceneSide* side : {&scene.left, &scene.right}) {
+    if (const double difference = shear_constants_of(scene, *side).difference_parameter;
+        difference != 0.0) { // 0 where it has no effect
+      throw_invalid_argument("history", "wheel and rail of unlike materials",
+                             "allowed are materials whose difference parameter is 0, not " +
+                                 short_text_of(difference));
+    }
   }
 }
 

@@ -173,8 +173,8 @@ DrawnSide write_side(Gnuplot& gnuplot, const Scene& scene, const std::string& na
     drawn.force_angle = number("angle");
     write_pressure(gnuplot, scene, drawn);
     write_tractions(gnuplot, scene, drawn);
-    if (drawn.has_contours) {
-      write_contours(gnuplot.script(), drawn, scene.number(name + ".pmax"));
+    if (const double pmax = scene.number(name + ".pmax"); drawn.has_contours && pmax > 0.0) {
+      write_contours(gnuplot.script(), drawn, pmax);
     }
   }
   develop(side);

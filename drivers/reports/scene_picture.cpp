@@ -261,10 +261,14 @@ void plot_pressure(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
     return;
   }
   const auto value = [&](const char* name) { return scene.number(side.name + '.' + name); };
-  out << "set title 'p_{max} " << fixed(value("pmax"), 0) << " MPa, area "
-      << fixed(value("area"), 1) << " mm^2, vertical " << force_text(value("vertical_force"))
+  const double pmax =
+      value("pmax"); // not-a-number where an end of a body leaves it without a bound
+  const bool is_bounded = std::isfinite(pmax);
+  out << "set title 'p_{max} " << (is_bounded ? fixed(pmax, 0) + " MPa" : "without bound")
+      << ", area " << fixed(value("area"), 1) << " mm^2, vertical "
+      << force_text(value("vertical_force"))
       << "'\nset cblabel 'pressure, MPa' offset 1\nset rmargin " << colour_box_margin
-      << "\nset key off\nset cbrange [0:" << value("pmax") << "]\n";
+      << "\nset key off\nset cbrange [0:" << (is_bounded ? general(pmax) : "*") << "]\n";
   write_axes(out, side, axes);
   // Labels of neighbours stand above and below in turn.
   bool above = true;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -56,7 +57,8 @@ private:
     std::vector<std::string> row{"  " + padded(label, 28) + unit};
     for (const std::string& side : sides_) {
       const std::string full = side + '.' + name;
-      row.push_back(scene_.has_number(full) ? text(scene_.number(full)) : "-");
+      const double value = scene_.number_or(full, std::numeric_limits<double>::quiet_NaN());
+      row.push_back(std::isnan(value) ? "-" : text(value));
     }
     table_.add(std::move(row));
   }
@@ -121,8 +123,8 @@ public:
     for (const Line& line : lines_) {
       std::vector<std::string> row{line.label};
       for (const Column& column : columns) {
-        row.push_back(
-            fixed(column.factor * scene_.number(line.prefix + column.name), column.decimals));
+        const double value = column.factor * scene_.number(line.prefix + column.name);
+        row.push_back(std::isnan(value) ? "-" : fixed(value, column.decimals));
       }
       table.add(std::move(row));
     }

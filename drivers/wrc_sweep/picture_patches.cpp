@@ -245,7 +245,11 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
         << " at " << -layout.margin << ',' << y << '\n';
     for (std::size_t j = 0; j < columns.size(); ++j) {
       const Cell& cell = rows[i].cells[j];
-      out << "set label '" << (std::isnan(cell.pmax) ? "failed" : fixed(cell.pmax, 0))
+      const bool is_drawn = !cell.maps.empty();
+      out << "set label '"
+          << (!std::isnan(cell.pmax) ? fixed(cell.pmax, 0)
+              : is_drawn             ? "no bound"
+                                     : "failed")
           << (cell.warned ? " (!)" : "") << "' at " << column_middle(j) << ','
           << y - 0.5 * layout.cell_height + 2.0 << " center font ',9'\n";
       // Each contact in the middle of its cell, wherever it lies on the wheel.

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from ._handle import Handle, encoded
 from ._interface import ffi
 from ._library import Array, doubles, lib, pointer, string
+from ._warnings import warn
 from .errors import InvalidArgument, NotConverged, UnknownName
 
 Self = TypeVar("Self", bound="GridContact")
@@ -114,7 +115,8 @@ class NormalContact(GridContact):
     copied once, by the library. Steps: sides of an element, mm. Settings: combined_modulus (MPa),
     normal_load (N) or approach (mm), tolerance, maximum_iterations, solver, elements, precision,
     planner. Results: approach, normal_force, area (mm^2), pmax, pmax_element (MPa), fill, iterations,
-    residuals..., stop_reason; fields pressure (MPa), displacement (mm).
+    residuals..., stop_reason, warnings; fields pressure (MPa), displacement (mm). solve() gives each
+    of its warnings as a ContactWarning.
     """
 
     _kind = "normal"
@@ -128,6 +130,17 @@ class NormalContact(GridContact):
         self._set_grid(values, lateral_step, longitudinal_step)
         self._check(lib.wrc_normal_set_distance(self._handle, pointer(values), values.size))
         self.set(**settings)
+
+    def solve(self: Self) -> Self:
+        """As GridContact.solve, with its warnings."""
+        super().solve()
+        warn(self.warnings)
+        return self
+
+    @property
+    def warnings(self) -> list[str]:
+        """What is doubtful of the result: contact at the grid's edge, or on too few elements."""
+        return [self[f"warnings.{i}"] for i in range(int(self["warning_count"]))]
 
 
 class RollingContact(GridContact):

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "owned_handles.hpp"
@@ -357,6 +358,42 @@ TEST(NormalResults, NotConvergedComesWithUsableResults) {
     EXPECT_NEAR(number_of(n, "normal_force"), load, load * rounding);
     EXPECT_EQ(field_of(n, "pressure").size(), 48U * 48U);
   }
+}
+
+/// The texts of all warnings of a result, each after its class.
+std::vector<std::string> warnings_of(wrc_normal* normal) {
+  std::vector<std::string> warnings;
+  for (int i = 0; i < number_of(normal, "warning_count"); ++i) {
+    const char* kind = nullptr;
+    const char* text = nullptr;
+    EXPECT_EQ(wrc_normal_text(normal, ("warning_classes." + std::to_string(i)).c_str(), &kind),
+              WRC_OK);
+    EXPECT_EQ(wrc_normal_text(normal, ("warnings." + std::to_string(i)).c_str(), &text), WRC_OK);
+    warnings.push_back(kind + std::string(": ") + text);
+  }
+  const char* text = nullptr;
+  EXPECT_EQ(wrc_normal_text(normal, ("warnings." + std::to_string(warnings.size())).c_str(), &text),
+            WRC_UNKNOWN_NAME);
+  return warnings;
+}
+
+TEST(NormalWarnings, TellOfTheGridsEdgeAndOfFewElements) {
+  const NormalPointer normal = make_sphere(24);
+  ASSERT_EQ(wrc_normal_solve(normal.get()), WRC_OK);
+  EXPECT_TRUE(warnings_of(normal.get()).empty());
+  EXPECT_EQ(wrc_normal_set_number(normal.get(), "normal_load", 5.0 * load), WRC_OK);
+  ASSERT_EQ(wrc_normal_solve(normal.get()), WRC_OK); // 1.7 mm, on a square of 3 mm
+  std::vector<std::string> warnings = warnings_of(normal.get());
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_TRUE(contains(warnings[0], "grid_edge: contact reaches the edge of the grid"));
+  EXPECT_EQ(wrc_normal_set_number(normal.get(), "normal_load", 1e-4 * load), WRC_OK);
+  ASSERT_EQ(wrc_normal_solve(normal.get()), WRC_OK); // 0.05 mm, on elements of 0.125 mm
+  warnings = warnings_of(normal.get());
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_TRUE(contains(warnings[0], "accuracy: contact covers 2 x 2 elements")) << warnings[0];
+  EXPECT_EQ(wrc_normal_set_number(normal.get(), "normal_load", 0.0), WRC_OK);
+  ASSERT_EQ(wrc_normal_solve(normal.get()), WRC_OK);
+  EXPECT_TRUE(warnings_of(normal.get()).empty()) << "no contact";
 }
 
 } // namespace

@@ -324,6 +324,8 @@ TEST(RollingResults, UnlikeBodiesDisplaceAcross) {
   contact.set("contact", "shift");
   expect_error(contact.handle(), wrc_rolling_solve(contact.handle()), WRC_INVALID_ARGUMENT,
                "difference_parameter", "rolls steadily");
+  contact.set("difference_parameter", 1e-17); // no effect
+  EXPECT_TRUE(contact.solve());
 }
 
 // On an ellipse FASTSIM by strips is within some per cent of the full theory.

@@ -159,6 +159,13 @@
 %! warning ('error', 'wrcontact:not_converged', 'local');
 %! fail ('solve ()', 'not converged');
 
+%!test <*a contact that its grid cuts comes with a warning>
+%! [x, y] = ndgrid ((-9.5:9.5) / 2);
+%! warning ('off', 'wrcontact:grid_edge', 'local');
+%! n = wrc_normal ((x .^ 2 + (y + 3) .^ 2) / 600, [0.5 0.5], 'normal_load', 2e4);
+%! assert (n.warning_classes, {'grid_edge'});
+%! assert (strncmp (n.warnings{1}, 'contact reaches the edge', 24));
+
 %!test <*keys and help>
 %! keys = wrc_keys ('pose.');
 %! assert (any (strcmp ({keys.name}, 'pose.lateral')));

@@ -45,7 +45,8 @@ bool Outcome::warns(const std::string& side, const std::string& words) const {
 }
 
 bool Outcome::is_told_inaccurate(const std::string& side) const {
-  return warns(side, "not reached") || warns(side, "does not settle");
+  return warns(side, "not reached") || warns(side, "does not settle") ||
+         warns(side, "pressures have no bound");
 }
 
 std::string Outcome::difference_to(const Outcome& other) const {

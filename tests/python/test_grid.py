@@ -83,3 +83,16 @@ def test_a_shift_starts_from_previous_tractions():
     assert shift.set_previous([], []).solve().longitudinal_force == first
     with pytest.raises(wrcontact.InvalidArgument):
         shift.set_previous(tractions[0], [])
+
+
+def test_a_cut_contact_and_one_on_few_elements_warn():
+    place = (np.arange(20) - 9.5) * 0.5
+    gap = np.add.outer((place + 3.0) ** 2, place**2) / 600.0
+    with pytest.warns(wrcontact.ContactWarning, match="edge of the grid"):
+        cut = wrcontact.NormalContact(gap, 0.5, 0.5, normal_load=2e4).solve()
+    assert len(cut.warnings) == 1 and cut["warning_classes.0"] == "grid_edge"
+    place = np.arange(9) - 4.0
+    gap = np.add.outer(place**2, place**2) / 200.0
+    with pytest.warns(wrcontact.ContactWarning, match="covers 1 x 1 elements"):
+        few = wrcontact.NormalContact(gap, 1.0, 1.0, normal_load=1.0, elements="constant").solve()
+    assert few["warning_classes.0"] == "accuracy"

@@ -123,9 +123,23 @@ TEST(FreePitch, AtAnySpeedAndBackwards) {
 }
 
 TEST(FreePitch, WithoutContactOrFriction) {
+  for (const double friction : {0.0, 1e-12}) {
+    for (const double lateral : {0.0, 3.0}) {
+      Scene scene = driven_scene(0.0, lateral);
+      scene.yaw = 1e-3 * lateral;
+      scene.left.friction.coefficient = scene.right.friction.coefficient = friction;
+      const SceneResult result = solve_scene(scene);
+      EXPECT_FALSE(result.pitch_is_saturated) << friction << ' ' << lateral;
+      EXPECT_NEAR(*result.pitch * radius / 2e4, 1.0, 1e-3) << friction << ' ' << lateral;
+    }
+  }
+  for (const double load : {0.0, 1e-30}) {
+    Scene unloaded = driven_scene(0.0);
+    unloaded.left.load = unloaded.right.load = load;
+    EXPECT_DOUBLE_EQ(*solve_scene(unloaded).pitch, 2e4 / radius) << load;
+  }
   Scene scene = driven_scene(0.0);
   scene.left.friction.coefficient = scene.right.friction.coefficient = 0.0;
-  EXPECT_FALSE(std::isnan(*solve_scene(scene).pitch));
   scene.torque = 1e6;
   EXPECT_TRUE(solve_scene(scene).pitch_is_saturated);
   scene.vertical = 500.0;

@@ -39,5 +39,31 @@ TEST(Material, RefusesConstantsOutsideTheirRange) {
       "rail.poisson = 0.6: must lie in 0 to 0.5");
 }
 
+TEST(Material, ADifferenceWithoutEffectCountsAsNone) {
+  for (const double sign : {1.0, -1.0}) {
+    const auto counts = [sign](double difference, double friction, double accuracy) {
+      const double effective = effective_difference(sign * difference, friction, accuracy);
+      EXPECT_TRUE(effective == 0.0 || effective == sign * difference);
+      return effective != 0.0;
+    };
+    // A thousandth of the accuracy, times friction.
+    EXPECT_FALSE(counts(2.9e-6, 0.3, 1e-2));
+    EXPECT_TRUE(counts(3.1e-6, 0.3, 1e-2));
+    EXPECT_FALSE(counts(2.9e-7, 0.3, 1e-3));
+    EXPECT_TRUE(counts(3.1e-7, 0.3, 1e-3));
+    // Above a friction of 1 that of pressures is larger.
+    EXPECT_FALSE(counts(1.9e-6, 5.0, 1e-2));
+    EXPECT_TRUE(counts(2.1e-6, 5.0, 1e-2));
+    // Rounding of the constants, whatever the friction.
+    for (const double friction : {0.0, 1e-12, 0.3}) {
+      EXPECT_FALSE(counts(5e-16, friction, 1e-6)) << friction;
+      EXPECT_TRUE(counts(1e-2, friction, 1e-6)) << friction;
+    }
+  }
+  const ShearConstants rounded = shear_constants({210000.0, 0.1 + 0.2}, {210000.0, 0.3});
+  EXPECT_NE(rounded.difference_parameter, 0.0);
+  EXPECT_EQ(effective_difference(rounded.difference_parameter, 1e-9, 1e-9), 0.0);
+}
+
 } // namespace
 } // namespace wrc::test::material_test

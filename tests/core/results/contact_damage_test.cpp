@@ -68,8 +68,8 @@ TEST(ContactDamage, FatigueIsThatOfTheShakedownMap) {
   find_damage(wheel, request);
   const Fatigue& fatigue = *wheel.patches[0].damage->fatigue;
   EXPECT_NEAR(fatigue.friction, 0.5, 1e-12);
-  EXPECT_NEAR(fatigue.pressure_ratio, 4.0, 1e-12);
-  EXPECT_NEAR(fatigue.surface_index, 0.5 - 0.25, 1e-12);
+  EXPECT_NEAR(fatigue.pressure_ratio.value(), 4.0, 1e-12);
+  EXPECT_NEAR(fatigue.surface_index.value(), 0.5 - 0.25, 1e-12);
 }
 
 TEST(ContactDamage, TheWorstPatchDeterminesTheWheel) {
@@ -83,6 +83,26 @@ TEST(ContactDamage, TheWorstPatchDeterminesTheWheel) {
                      wheel.patches[1].damage->fatigue->surface_index));
   EXPECT_GT(wheel.patches[1].damage->fatigue->surface_index,
             wheel.patches[0].damage->fatigue->surface_index);
+}
+
+/// Where an end of a body cuts a contact its largest pressure has no bound, nor what follows from
+/// it.
+TEST(ContactDamage, OfACutContactHasNoPeaks) {
+  DamageRequest request;
+  request.fatigue = request.wear = request.stress = true;
+  WheelResult wheel =
+      wheel_of({patch_of(8e4, -0.8e4, 0.0, 900.0), patch_of(2e4, -0.8e4, 0.0, 1500.0)});
+  wheel.is_cut = wheel.patches[1].is_cut = true;
+  find_damage(wheel, request);
+  EXPECT_TRUE(wheel.patches[0].damage->fatigue->surface_index);
+  for (const ContactDamage* damage : {&*wheel.patches[1].damage, &*wheel.damage}) {
+    EXPECT_FALSE(damage->stress);
+    EXPECT_FALSE(damage->wear->depth);
+    EXPECT_FALSE(damage->fatigue->pressure_ratio);
+    EXPECT_FALSE(damage->fatigue->surface_index);
+    EXPECT_GT(damage->fatigue->friction, 0.0);
+    EXPECT_GT(damage->wear->tgamma_with_spin, 0.0);
+  }
 }
 
 } // namespace

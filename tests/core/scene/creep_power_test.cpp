@@ -107,5 +107,25 @@ TEST(CreepPower, OfUnlikeBodiesIsNeverNegative) {
   EXPECT_GT(against, 5);
 }
 
+/// His law has no moment of spin: where spin opposes the lateral creepage it would give power.
+TEST(CreepPower, OfPolachsLawIsNeverNegative) {
+  Scene scene;
+  scene.side = SideChoice::left;
+  scene.accuracy = 1e-2;
+  scene.accuracy_of = AccuracyOf::forces;
+  scene.creep = CreepModel::polach;
+  bool is_against = false;
+  for (const double lateral : {1e-6, 1e-5, 1e-4}) {
+    for (const double spin : {-1e-3, 1e-3}) {
+      scene.left.creepages = Creepages{0.0, lateral, spin};
+      const SceneResult result = solve_scene(scene);
+      const CreepResult& creep = result.left.value().patches.front().creep.value();
+      EXPECT_GE(creep.power_per_speed, 0.0);
+      is_against = is_against || product_of(creep) < 0.0;
+    }
+  }
+  EXPECT_TRUE(is_against) << "the law as it is";
+}
+
 } // namespace
 } // namespace wrc::test::creep_power_test

@@ -84,6 +84,25 @@ TEST(StaticEquilibrium, ALightWheelBesideAHeavyOneCarriesItsLoad) {
   EXPECT_EQ(found.scene.side, SideChoice::left) << "a key that it does not set";
 }
 
+/// They count as none, as under a load (no_load): the wheels touch.
+TEST(StaticEquilibrium, LoadsThatAreTooSmallLeaveWheelsThatTouch) {
+  const Scene scene = scene_for_forces();
+  SceneSolver solver;
+  const SceneResult touch = [&] {
+    Scene unloaded = scene;
+    unloaded.lateral = 1.0;
+    unloaded.left.load = unloaded.right.load = 0.0;
+    return solver.solve(unloaded);
+  }();
+  for (const StaticLoads& loads :
+       {StaticLoads{LoadsOf::wheels, {1e-30, 1e-30}}, StaticLoads{LoadsOf::axle, {1e-30, 0.0}}}) {
+    const StaticEquilibrium found = find_static_equilibrium(scene, at(1.0), loads, solver);
+    EXPECT_TRUE(found.converged);
+    EXPECT_NEAR(found.roll, touch.roll, 1e-12);
+    EXPECT_NEAR(found.vertical, touch.vertical, 1e-9);
+  }
+}
+
 TEST(StaticEquilibrium, UsesTheConventionOfTheScene) {
   Scene scene = scene_for_forces();
   SceneSolver solver;

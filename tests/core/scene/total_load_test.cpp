@@ -57,7 +57,7 @@ TEST(LoadSearch, EndsAtAJump) {
       return load + (load < 1.01 * target ? -1.0 - jump : -1.0 + jump) * 0.01 * target;
     };
     LoadSearch search(target);
-    EXPECT_LE(solutions(search, accuracy, total), 41);
+    EXPECT_LE(solutions(search, accuracy, total), 40);
     EXPECT_NEAR(total(search.load()), target, accuracy * target);
   }
 }
