@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -74,6 +75,8 @@ constexpr std::string_view name_of(WarningClass kind) {
 struct Warning {
   WarningClass kind;
   std::string text;
+  /// Estimated error over the accuracy, of classes that report an error; infinite: not known.
+  std::optional<double> excess{};
 
   bool operator==(const Warning&) const = default;
 };

@@ -23,6 +23,11 @@ inline constexpr double hardest_steel = 440.0 * 9.80665;
 /// origin: derived: of two steels of 230 GPa and 0.3; steels have 190 to 220 GPa.
 inline constexpr double stiffest_steel = 0.5 * 230e3 / (1.0 - 0.3 * 0.3);
 
+/// Error estimate, over the accuracy, up to which results are only a little less accurate than
+/// requested.
+/// origin: reasoned: most errors are well below their estimate (docs/accuracy.md).
+inline constexpr double usable_excess = 2.0;
+
 /// Largest slope of a wheel's tread towards the field side, rad; anything steeper is its chamfer.
 /// origin: published: treads of EN 13715 fall by up to 15 % (0.149 rad), their chamfers by 45
 /// degrees.

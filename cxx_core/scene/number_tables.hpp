@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "pressure/contact_area.hpp"
+#include "results/grade.hpp"
 #include "scene/damage_tables.hpp"
 #include "scene/number_group.hpp"
 #include "scene/number_table.hpp"
@@ -228,6 +229,8 @@ inline constexpr std::array side_numbers{
     OfWheel{"model_error", pure, member<&WheelResult::model_error>},
     OfWheel{"validity", pure, member<&WheelResult::validity>},
     OfWheel{"warning_count", pure, [](const WheelResult& r) { return r.warnings.size(); }},
+    OfWheel{"grade", pure,
+            [](const WheelResult& r) { return static_cast<int>(grade_of(r.warnings)); }},
 };
 
 inline constexpr std::array total_numbers{
@@ -292,6 +295,8 @@ inline constexpr std::array scene_numbers{
     OfScene{"rolling_radius_difference", length, member<&SceneResult::rolling_radius_difference>},
     OfScene{"pitch", rate, member<&SceneResult::pitch>},
     OfScene{"warning_count", pure, [](const SceneResult& r) { return warning_count(r); }},
+    OfScene{"grade", pure,
+            [](const SceneResult& r) { return static_cast<int>(grade_of(all_warnings(r))); }},
 };
 
 inline constexpr std::array time_numbers{

@@ -184,7 +184,8 @@ void warn_of_residuals(SceneWheel& wheel, double accuracy) {
         {WarningClass::close_patches,
          "patches almost touch: the displacement that they cause in each other is off by " +
              short_text_of(worst) + " of the largest displacement, more than the accuracy of " +
-             text_of(accuracy)});
+             text_of(accuracy),
+         worst / accuracy});
   }
 }
 
