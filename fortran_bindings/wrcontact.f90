@@ -49,6 +49,10 @@ module wrcontact
   integer, parameter, public :: wrc_beyond_yield = 8
   integer, parameter, public :: wrc_solved_exactly = 16
   integer, parameter, public :: wrc_at_part_end = 32
+  !> Values of the results grade, left.grade and right.grade.
+  integer, parameter, public :: wrc_fine = 0
+  integer, parameter, public :: wrc_slightly_over = 1
+  integer, parameter, public :: wrc_do_not_use = 2
   !> Kinds of profiles.
   integer, parameter, public :: wrc_wheel = 0
   integer, parameter, public :: wrc_rail = 1
@@ -130,12 +134,10 @@ module wrcontact
   contains
     !> A scene with the defaults of the paper's Table 1; an earlier one is released.
     procedure :: create => scene_create
-    !> set(key, value): a real(real64), an integer, a character, a rank-1 array of numbers, or a
-    !> profile.
+    !> set(key, value): a real(real64), an integer, a character, a rank-1 array of numbers, or a profile.
     generic :: set => set_number, set_integer, set_text, set_numbers, set_integers, set_profile
     procedure :: set_profile => scene_set_profile
-    !> read_namelist(unit) or read_namelist(path): sets what namelist groups give; see
-    !> wrcontact_namelist.inc.
+    !> read_namelist(unit) or read_namelist(path): sets what namelist groups give; see wrcontact_namelist.inc.
     generic :: read_namelist => read_unit, read_path
     !> Values of keys.
     procedure :: get_number => scene_get_number
@@ -257,8 +259,7 @@ module wrcontact
     final :: table_release
   end type contact_table
 
-  !> Normal contact of a gap given by the caller; keys and names of results in
-  !> wrcontact_grid.h.
+  !> Normal contact of a gap given by the caller; keys and names of results in wrcontact_grid.h.
   type, public :: normal_contact
     private
     type(shared_handle), pointer :: shared => null()
@@ -267,8 +268,7 @@ module wrcontact
     procedure :: create => normal_create
     !> set_grid(lateral_count, longitudinal_count, lateral_step, longitudinal_step)
     procedure :: set_grid => normal_set_grid
-    !> set_distance(values): of rank 1, longitudinal index fastest, or of rank 2, shaped
-    !> (longitudinal, lateral).
+    !> set_distance(values): of rank 1, longitudinal index fastest, or of rank 2, shaped (longitudinal, lateral).
     generic :: set_distance => set_distance_1, set_distance_2
     !> set(key, value): a real(real64), an integer or a character.
     generic :: set => set_number, set_integer, set_text

@@ -31,8 +31,10 @@ function result = wrc_solve (varargin)
 %
 %   Doubtful profiles or solutions raise warnings, whose identifiers are their classes in
 %   docs/warnings.md: warning ('off', 'wrcontact:patch_turn') silences one. r.warnings has the
-%   texts, r.warning_classes the classes. Many scenes raise each class once, with the number of
-%   scenes that have it.
+%   texts, r.warning_classes the classes, r.warning_grades the grades, r.grade the worst (0 fine,
+%   1 a little over the accuracy, 2 do not use). Those a little over are one warning,
+%   wrcontact:a_little_over. Many scenes raise each class once, with the number of scenes that
+%   have it.
 %
 %   Example:
 %     r = wrc_solve ('pose.lateral', 5);

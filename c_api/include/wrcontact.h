@@ -229,6 +229,11 @@ WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int3
 #define WRC_SOLVED_EXACTLY 16 /**< a table asked the exact solution */
 #define WRC_AT_PART_END 32    /**< contact that an end or side of a part that varies cuts */
 
+/** Values of the results grade, left.grade and right.grade (docs/warnings.md). Since 0.3. */
+#define WRC_FINE 0          /**< as accurate as requested; warnings are notes on the input */
+#define WRC_SLIGHTLY_OVER 1 /**< error estimate up to twice the accuracy */
+#define WRC_DO_NOT_USE 2    /**< above that, or numbers of other bodies than those meant */
+
 /**
  * Computes the forces on both wheels of a wheelset from its position and velocity. It sets the keys
  * pose.lateral, .vertical, .roll, .yaw (also .longitudinal and .pitch where a rail varies along the

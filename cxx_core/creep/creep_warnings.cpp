@@ -26,11 +26,11 @@ void warn_of_unlike_bodies(WheelResult& wheel, const CreepRequest& request) {
     change = std::max(change, patch->creep->pressure_change);
   }
   if (change > request.accuracy) {
-    wheel.warnings.push_back(
-        {WarningClass::unlike_materials,
-         "creep forces of unlike materials: tractions change pressures by " +
-             short_text_of(change) +
-             " on average, which the results of normal contact do not include"});
+    wheel.warnings.push_back({WarningClass::unlike_materials,
+                              "creep forces of unlike materials: tractions change pressures by " +
+                                  short_text_of(change) +
+                                  " on average, which the results of normal contact do not include",
+                              change / request.accuracy});
   }
 }
 
@@ -56,14 +56,15 @@ void warn_of_creep_forces(WheelResult& wheel, const CreepRequest& request) {
     wheel.warnings.push_back({WarningClass::element_limit,
                               "creep forces: " + text_of_limit(wanted, request.element_limit)});
   }
-  const bool beyond = error_of_wheel(wheel) > request.accuracy;
-  for (std::size_t i = 0; beyond && i < wheel.patches.size(); ++i) {
+  const double excess = error_of_wheel(wheel) / request.accuracy;
+  for (std::size_t i = 0; excess > 1.0 && i < wheel.patches.size(); ++i) {
     const PatchResult& patch = wheel.patches[i];
     if (patch.creep->error_estimate.value_or(0.0) > request.accuracy) {
       wheel.warnings.push_back({WarningClass::creep_accuracy,
                                 of_patch(wheel, i) + "creep forces: accuracy " +
                                     text_of(request.accuracy) + " not reached: estimated error " +
-                                    short_text_of(*patch.creep->error_estimate)});
+                                    short_text_of(*patch.creep->error_estimate),
+                                excess});
     }
   }
   warn_of_unlike_bodies(wheel, request);

@@ -29,6 +29,10 @@ inline constexpr double stiffest_steel = 0.5 * 230e3 / (1.0 - 0.3 * 0.3);
 /// from their ends, accuracies from 1e-2 to 1e-3 against 3e-4): depth errs by up to 0.20, place,
 /// over the semi-axis, by up to 0.38.
 inline constexpr double error_of_cut = 0.4;
+/// Error estimate, over the accuracy, up to which results are only a little less accurate than
+/// requested.
+/// origin: reasoned: most errors are well below their estimate (docs/accuracy.md).
+inline constexpr double usable_excess = 2.0;
 
 /// Largest slope of a wheel's tread towards the field side, rad; anything steeper is its chamfer.
 /// origin: published: treads of EN 13715 fall by up to 15 % (0.149 rad), their chamfers by 45

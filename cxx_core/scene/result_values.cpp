@@ -5,6 +5,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "results/grade.hpp"
 #include "scene/noise_spread.hpp"
 #include "scene/number_ids.hpp"
 #include "scene/number_tables.hpp"
@@ -279,6 +280,9 @@ std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& 
   }
   for (std::size_t i = 0; i < warnings.size(); ++i) {
     texts.emplace_back("warning_classes." + std::to_string(i), name_of(warnings[i].kind));
+  }
+  for (std::size_t i = 0; i < warnings.size(); ++i) {
+    texts.emplace_back("warning_grades." + std::to_string(i), name_of(grade_of(warnings[i])));
   }
   if (result.left) {
     add_side_texts(texts, "left.", *result.left);

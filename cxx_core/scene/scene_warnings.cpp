@@ -8,7 +8,7 @@ namespace {
 void append(const std::optional<SceneWheel>& wheel, const std::string& side, Warnings& all) {
   if (wheel) {
     for (const Warning& warning : wheel->warnings) {
-      all.push_back({warning.kind, side + ": " + warning.text});
+      all.push_back({warning.kind, side + ": " + warning.text, warning.excess});
     }
   }
 }

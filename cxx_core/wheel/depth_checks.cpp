@@ -94,7 +94,8 @@ void warn_of_rounding(const GridSolution& solution, const WheelRequest& request,
          "wheel and rail overlap by only " + short_text_of(overlap) + " mm: below " +
              short_text_of(overlap * error / left) +
              " mm the rounding of positions changes the pressures too much for the accuracy of " +
-             text_of(request.accuracy)});
+             text_of(request.accuracy),
+         error / request.accuracy});
   }
 }
 

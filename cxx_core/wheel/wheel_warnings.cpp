@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.hpp"
 #include "patches/constants.hpp"
@@ -32,8 +33,15 @@ std::string edge_text(const Patch& patch) {
                                     "or the patch has just formed";
 }
 
+/// Estimated error of the wheel over the accuracy; on a grid by hand that of the model alone.
+double excess_of(const WheelRequest& request, const WheelSolution& result) {
+  const std::optional<double> error = request.grid ? result.model_error : result.error_estimate();
+  return error.value_or(std::numeric_limits<double>::infinity()) / request.accuracy;
+}
+
 /// Where the model is too rough for the accuracy, the warning is that of its cause.
-void warn_of_accuracy(double accuracy, WheelSolution& result) {
+void warn_of_accuracy(const WheelRequest& request, WheelSolution& result) {
+  const double accuracy = request.accuracy;
   const double of_model = result.model_error.value_or(0.0);
   const std::optional<double> all = result.error_estimate();
   const bool elements_suffice = result.discretisation_error.value_or(2.0) <= accuracy;
@@ -47,10 +55,10 @@ void warn_of_accuracy(double accuracy, WheelSolution& result) {
       text += " (model " + short_text_of(of_model) + ')';
     }
   }
-  result.warnings.push_back({WarningClass::accuracy, text});
+  result.warnings.push_back({WarningClass::accuracy, text, excess_of(request, result)});
 }
 
-void warn_of_interaction(const WheelRequest& request, double error, Warnings& warnings) {
+void warn_of_interaction(const WheelRequest& request, double error, WheelSolution& result) {
   if (!(error > request.accuracy)) {
     return;
   }
@@ -58,8 +66,9 @@ void warn_of_interaction(const WheelRequest& request, double error, Warnings& wa
       request.interaction == Interaction::near
           ? "solve.interaction = \"near\" leaves out what patches displace at each other"
           : "the patches lie in different planes, so their effect on each other is known in part";
-  warnings.push_back(
-      {WarningClass::no_interaction, cause + ": estimated error " + short_text_of(error)});
+  result.warnings.push_back({WarningClass::no_interaction,
+                             cause + ": estimated error " + short_text_of(error),
+                             excess_of(request, result)});
 }
 
 } // namespace
@@ -90,12 +99,13 @@ void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
     warnings.push_back(
         {WarningClass::ridge,
          "a profile has a kink of " + short_text_of(solution.sharpest_ridge()) +
-             " rad inside the contact: pressures are unbounded there, and forces converge slowly"});
+             " rad inside the contact: pressures are unbounded there, and forces converge slowly",
+         errors.ridge / request.accuracy});
   }
   if (!request.grid) {
-    warn_of_accuracy(request.accuracy, result);
+    warn_of_accuracy(request, result);
   }
-  warn_of_interaction(request, errors.interaction, warnings);
+  warn_of_interaction(request, errors.interaction, result);
   if (solution.left_out_s) {
     warnings.push_back(
         {WarningClass::patch_left_out,
@@ -107,8 +117,9 @@ void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
 void warn_of_patches(const WheelRequest& request, WheelSolution& result) {
   for (std::size_t i = 0; i < result.patches.size(); ++i) {
     const Patch& patch = result.patches[i];
-    const auto warn = [&](WarningClass kind, const std::string& text) {
-      result.warnings.push_back({kind, of_solved_patch(result, i) + text});
+    const auto warn = [&](WarningClass kind, const std::string& text,
+                          std::optional<double> excess = std::nullopt) {
+      result.warnings.push_back({kind, of_solved_patch(result, i) + text, excess});
     };
     if (patch.contact.touches_edge.any()) {
       warn(WarningClass::grid_edge, edge_text(patch));
@@ -127,7 +138,8 @@ void warn_of_patches(const WheelRequest& request, WheelSolution& result) {
                (patch.frame.curve ? "along a curve" : "as a plane") + ": estimated error " +
                short_text_of(patch.plane_error) +
                ", more than solve.accuracy = " + text_of(request.accuracy) +
-               (request.curved == CurvedChoice::no ? "; solve.curved = \"auto\" reduces it" : ""));
+               (request.curved == CurvedChoice::no ? "; solve.curved = \"auto\" reduces it" : ""),
+           excess_of(request, result));
     }
   }
 }

@@ -10,6 +10,7 @@
 #include "reports/drawn_sides.hpp"
 #include "reports/patches.hpp"
 #include "reports/stress_picture.hpp"
+#include "reports/warning_summary.hpp"
 #include "support/gnuplot.hpp"
 #include "support/numbers.hpp"
 
@@ -47,7 +48,9 @@ std::string shortened(const std::string& text, std::size_t length) {
 
 /// Warnings as lines of text at the lower end of the picture, and the room for them.
 struct WarningNote {
-  WarningNote(std::vector<std::string> warnings, std::size_t columns) {
+  WarningNote(const std::vector<Warning>& of_scene, std::size_t columns) {
+    std::vector<std::string> warnings = lines_of(of_scene);
+    const bool loud = grade_of(of_scene) == WRC_DO_NOT_USE;
     constexpr std::size_t most_lines = 6;
     constexpr std::size_t letters = 100; // in the width of a column
     const std::size_t count = warnings.size();
@@ -62,7 +65,7 @@ struct WarningNote {
       labels += "set label " + std::to_string(first_label + from_below) + ' ' +
                 gnuplot_text(shortened(one_line(warning), letters * columns)) +
                 " at screen 0.006,character " + general(0.8 + line_height * from_below) +
-                " left font ',9' tc rgb '#b00000' front\n";
+                " left font ',9' tc rgb '" + (loud ? "#b00000" : "#606060") + "' front\n";
     }
   }
   /// Before the first plot of the last row.
@@ -365,7 +368,7 @@ struct PanelRow {
 } // namespace
 
 void draw_scene(const Scene& scene, const std::filesystem::path& path,
-                const std::vector<std::string>& warnings) {
+                const std::vector<Warning>& warnings) {
   Gnuplot gnuplot;
   const bool has_pressures = scene.get_text("solve.until") == "mechanics";
   std::vector<DrawnSide> sides;

@@ -12,6 +12,6 @@ namespace driver {
 /// Draws a .png or .svg file. Seen in driving direction: the left wheel is on the left. `warnings`
 /// stand below.
 void draw_scene(const Scene& scene, const std::filesystem::path& path,
-                const std::vector<std::string>& warnings);
+                const std::vector<Warning>& warnings);
 
 } // namespace driver

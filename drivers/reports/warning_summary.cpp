@@ -4,8 +4,7 @@
 #include <charconv>
 #include <set>
 #include <string_view>
-
-#include "support/scene.hpp"
+#include <utility>
 
 namespace driver {
 namespace {
@@ -37,42 +36,55 @@ std::string without_numbers(std::string_view text) {
 
 } // namespace
 
-unsigned warnings_of(const std::vector<std::string>& warnings) {
-  unsigned of = 0;
-  for (const std::string& warning : warnings) {
-    of |= warning.starts_with("left: ")    ? of_left_wheel
-          : warning.starts_with("right: ") ? of_right_wheel
-                                           : of_profiles;
+std::vector<std::string> lines_of(const std::vector<Warning>& warnings) {
+  constexpr std::array leads{"Note: ", "A little over: ", "Do not use: "};
+  const bool quiet = grade_of(warnings) == WRC_SLIGHTLY_OVER;
+  bool is_told = false;
+  std::vector<std::string> lines;
+  for (const Warning& warning : warnings) {
+    const bool is_over = warning.grade == WRC_SLIGHTLY_OVER;
+    if (!(quiet && is_over && is_told)) {
+      lines.push_back(leads.at(static_cast<std::size_t>(warning.grade)) + one_line(warning.text));
+    }
+    is_told = is_told || is_over;
   }
-  return of;
+  return lines;
 }
 
-unsigned warnings_that_concern(const std::string& result) {
-  constexpr unsigned all = of_profiles | of_left_wheel | of_right_wheel;
-  return result.starts_with("left.")    ? all & ~of_right_wheel
-         : result.starts_with("right.") ? all & ~of_left_wheel
-                                        : all;
-}
-
-void WarningSummary::add(std::int64_t scene, const std::vector<std::string>& warnings) {
-  std::set<std::string> found;
-  for (const std::string& warning : warnings) {
-    std::string name = without_numbers(warning);
-    if (!found.insert(name).second) {
+void WarningSummary::add(std::int64_t scene, const std::vector<Warning>& warnings) {
+  std::set<std::pair<std::int32_t, std::string>> found;
+  for (const Warning& warning : warnings) {
+    std::string name = without_numbers(warning.text);
+    if (!found.emplace(warning.grade, name).second) {
       continue;
     }
-    Kind& kind = kinds_[std::move(name)];
+    Kind& kind = kinds_[static_cast<std::size_t>(warning.grade)][std::move(name)];
     if (kind.scenes++ == 0 || scene < kind.first) {
       kind.first = scene;
-      kind.text = warning;
+      kind.text = warning.text;
     }
   }
-  scenes_ += warnings.empty() ? 0 : 1;
+  scenes_[static_cast<std::size_t>(grade_of(warnings))] += warnings.empty() ? 0 : 1;
 }
 
-std::vector<std::string> WarningSummary::lines() const {
+std::string WarningSummary::brief(std::int64_t all, const std::string& marks) const {
+  const std::string of_all = " of " + std::to_string(all) + (all == 1 ? " scene" : " scenes");
+  std::string text;
+  const auto add = [&](std::int64_t count, const std::string& what) {
+    if (count > 0) {
+      text +=
+          (text.empty() ? "" : "; ") + std::to_string(count) + (text.empty() ? of_all : "") + what;
+    }
+  };
+  add(scenes(WRC_DO_NOT_USE), ": do not use" + (marks.empty() ? "" : ", shown " + marks));
+  add(scenes(WRC_SLIGHTLY_OVER), " a little over the accuracy");
+  add(scenes(WRC_FINE), " with notes");
+  return text;
+}
+
+std::vector<std::string> WarningSummary::lines(std::int32_t grade) const {
   std::vector<const Kind*> kinds;
-  for (const auto& [name, kind] : kinds_) {
+  for (const auto& [name, kind] : kinds_[static_cast<std::size_t>(grade)]) {
     kinds.push_back(&kind);
   }
   std::stable_sort(kinds.begin(), kinds.end(),
@@ -87,20 +99,22 @@ std::vector<std::string> WarningSummary::lines() const {
 
 std::string WarningSummary::text(const std::string& program, std::int64_t all,
                                  const std::string& where) const {
-  if (scenes_ == 0) {
+  const std::string counts = brief(all);
+  if (counts.empty()) {
     return "";
   }
-  std::string text = program + ": " + std::to_string(scenes_) + " of " + std::to_string(all) +
-                     (all == 1       ? " scene has"
-                      : scenes_ == 1 ? " scenes has"
-                                     : " scenes have") +
-                     " warnings. All of them are in " + where + "; the first of each kind:\n";
-  const std::vector<std::string> kinds = lines();
-  for (std::size_t i = 0; i < std::min(kinds.size(), most_kinds); ++i) {
-    text += "  " + kinds[i] + '\n';
-  }
-  if (kinds.size() > most_kinds) {
-    text += "  and " + std::to_string(kinds.size() - most_kinds) + " more kinds\n";
+  std::string text =
+      program + ": " + counts + (where.empty() ? "" : ". All warnings are in " + where) + '\n';
+  for (const std::int32_t grade : {WRC_DO_NOT_USE, WRC_SLIGHTLY_OVER, WRC_FINE}) {
+    const std::vector<std::string> kinds = lines(grade);
+    const std::size_t shown =
+        std::min(kinds.size(), grade == WRC_SLIGHTLY_OVER ? std::size_t{1} : most_kinds);
+    for (std::size_t i = 0; i < shown; ++i) {
+      text += "  " + kinds[i] + '\n';
+    }
+    if (kinds.size() > most_kinds && shown == most_kinds) {
+      text += "  and " + std::to_string(kinds.size() - most_kinds) + " more kinds\n";
+    }
   }
   return text;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -45,21 +46,47 @@ inline std::vector<std::string> texts_of(const Scene& scene, const std::string& 
   return texts;
 }
 
-/// Warnings of the keys and profiles a scene was solved with; those of the wheels follow.
-inline std::vector<std::string> warnings_of_profiles(const Scene& scene) {
-  std::vector<std::string> warnings = scene.warnings();
-  for (const char* side : side_names) {
-    warnings.resize(warnings.size() - static_cast<std::size_t>(scene.number_or(
-                                          std::string(side) + ".warning_count", 0.0)));
+/// A warning and its grade: WRC_FINE, WRC_SLIGHTLY_OVER or WRC_DO_NOT_USE.
+struct Warning {
+  std::string text;
+  std::int32_t grade = WRC_FINE;
+};
+
+/// Names of the grades in the results warning_grades.N.
+inline constexpr std::array grade_names{"fine", "a little over", "do not use"};
+
+/// All warnings of a solved scene.
+inline std::vector<Warning> warnings_of(const Scene& scene) {
+  std::vector<Warning> warnings;
+  const std::vector<std::string> grades = texts_of(scene, "warning_grades");
+  for (const std::string& text : scene.warnings()) {
+    const auto* const name =
+        std::find(grade_names.begin(), grade_names.end(), grades[warnings.size()]);
+    warnings.push_back({text, static_cast<std::int32_t>(name - grade_names.begin())});
   }
   return warnings;
 }
 
+/// Whether a warning is of the other wheel than `side`, which is empty for the whole scene.
+inline bool is_of_other_wheel(const Warning& warning, const std::string& side) {
+  return (side == "left" && warning.text.starts_with("right: ")) ||
+         (side == "right" && warning.text.starts_with("left: "));
+}
+
+/// The worst grade of those that concern a side, or all.
+inline std::int32_t grade_of(const std::vector<Warning>& warnings, const std::string& side = "") {
+  std::int32_t worst = WRC_FINE;
+  for (const Warning& warning : warnings) {
+    worst = is_of_other_wheel(warning, side) ? worst : std::max(worst, warning.grade);
+  }
+  return worst;
+}
+
 /// Warnings in one cell of a table.
-inline std::string joined_warnings(const std::vector<std::string>& warnings) {
+inline std::string joined_warnings(const std::vector<Warning>& warnings) {
   std::string text;
-  for (const std::string& warning : warnings) {
-    text += (text.empty() ? "" : " | ") + warning;
+  for (const Warning& warning : warnings) {
+    text += (text.empty() ? "" : " | ") + warning.text;
   }
   return text;
 }

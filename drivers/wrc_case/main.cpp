@@ -132,7 +132,7 @@ int main(int argc, char** argv) {
       driver::write_stress_vtk(scene, stress);
     }
     if (!plot.empty()) {
-      driver::draw_scene(scene, plot, scene.warnings());
+      driver::draw_scene(scene, plot, driver::warnings_of(scene));
     }
     if (!converged) {
       std::cerr << "wrc_case: not converged: the printed results are approximate\n";

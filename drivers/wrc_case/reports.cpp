@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "reports/patches.hpp"
+#include "reports/warning_summary.hpp"
 #include "support/csv_table.hpp"
 #include "support/json.hpp"
 #include "support/numbers.hpp"
@@ -207,21 +208,16 @@ void print_texts(const Scene& scene, std::ostream& out) {
   for (const std::string& correction : texts_of(scene, "corrections")) {
     out << "Corrected: " << one_line(correction) << '\n';
   }
-  for (const std::string& warning : warnings_of_profiles(scene)) {
-    out << "Warning: " << one_line(warning) << '\n';
-  }
-  for (const std::string& side : sides_of(scene)) {
-    for (const std::string& warning : texts_of(scene, side + ".warnings")) {
-      out << "Warning, " << side << ": " << one_line(warning) << '\n';
-    }
+  for (const std::string& line : lines_of(warnings_of(scene))) {
+    out << line << '\n';
   }
 }
 
 /// Whether a result is a whole number.
 bool is_count(const std::string& name) {
-  constexpr std::array counts{"iterations",   "convolutions",      "solutions",
-                              "patch_count",  "regions",           "lobes",
-                              "grid.lateral", "grid.longitudinal", "warning_count"};
+  constexpr std::array counts{"iterations",    "convolutions", "solutions",    "patch_count",
+                              "regions",       "lobes",        "grid.lateral", "grid.longitudinal",
+                              "warning_count", "grade"};
   return std::any_of(counts.begin(), counts.end(),
                      [&name](const char* count) { return name.ends_with(count); });
 }
@@ -335,7 +331,7 @@ void print_json(const Scene& scene, std::ostream& out) {
     flat[pointer_of(name)] = scene.text(name);
   }
   json object = flat.unflatten();
-  for (const char* list : {"warnings", "warning_classes"}) {
+  for (const char* list : {"warnings", "warning_classes", "warning_grades"}) {
     object.emplace(list, json::array());
   }
   for (const std::string& side : sides_of(scene)) {
@@ -359,7 +355,7 @@ void print_csv(const Scene& scene, std::ostream& out) {
   CsvLine(out)
       .add(words("side roll vertical patches"))
       .add(columns)
-      .add(words("warning_count warnings"));
+      .add(words("grade warning_count warnings"));
   out.precision(std::numeric_limits<double>::max_digits10);
   for (const std::string& side : sides_of(scene)) {
     CsvLine line(out);
@@ -369,11 +365,14 @@ void print_csv(const Scene& scene, std::ostream& out) {
       const std::string name = side + '.' + column;
       line << (scene.has_number(name) ? std::optional(scene.number(name)) : std::nullopt);
     }
-    std::vector<std::string> warnings = warnings_of_profiles(scene);
-    for (std::string& warning : texts_of(scene, side + ".warnings")) {
-      warnings.push_back(std::move(warning));
+    std::vector<Warning> warnings = warnings_of(scene);
+    std::erase_if(warnings, [&side](const Warning& one) { return is_of_other_wheel(one, side); });
+    for (Warning& warning : warnings) {
+      if (warning.text.starts_with(side + ": ")) {
+        warning.text.erase(0, side.size() + 2);
+      }
     }
-    line << warnings.size() << joined_warnings(warnings);
+    line << grade_of(warnings) << warnings.size() << joined_warnings(warnings);
   }
 }
 

@@ -147,8 +147,13 @@ void add_warnings(HtmlPage& page, const std::vector<Position>& positions,
       lines.push_back("y = " + general(positions[i].lateral) + " mm: " + positions[i].trouble);
     }
   }
-  for (const std::string& line : summary.lines()) {
-    lines.push_back(line);
+  for (std::size_t grade = grade_names.size(); grade-- > 0;) {
+    for (const std::string& line : summary.lines(static_cast<std::int32_t>(grade))) {
+      lines.push_back(grade == WRC_FINE ? line : grade_names[grade] + (": " + line));
+      if (grade == WRC_SLIGHTLY_OVER) {
+        break; // one line says it
+      }
+    }
   }
   page.heading("Warnings");
   if (lines.empty()) {

@@ -63,7 +63,7 @@ Position solved(Scene& scene, double lateral) {
     if (!scene.solve()) {
       position.trouble = "not converged";
     }
-    position.warnings = scene.warnings();
+    position.warnings = warnings_of(scene);
     position.pmax = scene.number("left.pmax");
     position.area = scene.number("left.area");
     position.angle = scene.number("left.angle");

@@ -52,7 +52,7 @@ struct Position {
   double s_wheel = std::numeric_limits<double>::quiet_NaN(); ///< where the profiles touch first
   double t_rail = std::numeric_limits<double>::quiet_NaN();
   std::vector<PressedBand> bands;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 };
 
 /// From one flange to the other; results do not depend on the number of threads.

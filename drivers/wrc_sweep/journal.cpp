@@ -61,21 +61,23 @@ std::uint64_t check_sum(std::string_view bytes) {
   return sum;
 }
 
-bool take_texts(std::string_view& bytes, std::vector<std::string>& texts) {
+bool take_warnings(std::string_view& bytes, std::vector<Warning>& warnings) {
   std::uint64_t count = 0;
   if (!take(bytes, count) || count > bytes.size()) {
     return false;
   }
-  texts.resize(count);
-  return std::all_of(texts.begin(), texts.end(),
-                     [&bytes](std::string& text) { return take_all(bytes, text); });
+  warnings.resize(count);
+  return std::all_of(warnings.begin(), warnings.end(), [&bytes](Warning& warning) {
+    return take_all(bytes, warning.text) && take(bytes, warning.grade) &&
+           warning.grade >= WRC_FINE && warning.grade <= WRC_DO_NOT_USE;
+  });
 }
 
 bool take_body(std::string_view body, Row& row) {
   std::uint64_t patch_count = 0;
   if (!take(body, row.scene) || !take(body, row.status) || !take_all(body, row.message) ||
-      !take_texts(body, row.warnings) || !take_all(body, row.values) || !take(body, patch_count) ||
-      patch_count > body.size()) {
+      !take_warnings(body, row.warnings) || !take_all(body, row.values) ||
+      !take(body, patch_count) || patch_count > body.size()) {
     return false;
   }
   row.patches.assign(patch_count, {});
@@ -103,8 +105,9 @@ void append_bytes(const Row& row, std::string& bytes) {
   append(body, row.status);
   append_all(body, row.message);
   append(body, static_cast<std::uint64_t>(row.warnings.size()));
-  for (const std::string& warning : row.warnings) {
-    append_all(body, warning);
+  for (const Warning& warning : row.warnings) {
+    append_all(body, warning.text);
+    append(body, warning.grade);
   }
   append_all(body, row.values);
   append(body, static_cast<std::uint64_t>(row.patches.size()));
@@ -144,7 +147,7 @@ namespace {
 
 std::string header_of(const Study& study) {
   const std::string text = study.fingerprint();
-  return "wrc_sweep rows 3\n" + std::to_string(text.size()) + '\n' + text + '\n';
+  return "wrc_sweep rows 4\n" + std::to_string(text.size()) + '\n' + text + '\n';
 }
 
 } // namespace
@@ -152,7 +155,7 @@ std::string header_of(const Study& study) {
 Journal::Journal(fs::path path, const Study& study, Old old) : path_(target_of(std::move(path))) {
   places_.assign(static_cast<std::size_t>(study.scene_count()), -1);
   lengths_.assign(places_.size(), 0);
-  warned_.assign(places_.size(), 0);
+  grades_.assign(places_.size(), {});
   const bool there = fs::exists(path_) && fs::file_size(path_) > 0;
   lock();
   if (there && old != Old::restart) {
@@ -255,7 +258,8 @@ void Journal::note(const Row& row, std::size_t length) {
   places_[scene] = end_;
   lengths_[scene] = static_cast<std::int64_t>(length);
   end_ += lengths_[scene];
-  warned_[scene] = static_cast<unsigned char>(driver::warnings_of(row.warnings));
+  grades_[scene] = {grade_of(row.warnings), grade_of(row.warnings, "left"),
+                    grade_of(row.warnings, "right")};
   warnings_.add(row.scene, row.warnings);
   ++count_;
   failed_ += row.status == WRC_OK ? 0 : 1;

@@ -31,9 +31,20 @@ struct Row {
   std::int64_t scene = 0;
   wrc_status status = WRC_OK;
   std::string message; ///< why, if the status is another than WRC_OK
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   std::vector<double> values; ///< in the order of Study::results; NaN: there is none
   std::vector<PatchFields> patches;
+};
+
+/// Grades of all warnings of a scene, and of those that concern each wheel.
+struct SceneGrades {
+  std::int32_t all = WRC_FINE;
+  std::int32_t left = WRC_FINE;
+  std::int32_t right = WRC_FINE;
+  /// Of a result such as "left.pmax".
+  [[nodiscard]] std::int32_t of(const std::string& result) const {
+    return result.starts_with("left.") ? left : result.starts_with("right.") ? right : all;
+  }
 };
 
 /// A row as bytes, and back, for files and messages between processes of the same machine type.
@@ -58,10 +69,10 @@ public:
   [[nodiscard]] std::int64_t count() const { return count_; }
   /// Rows whose status is another than WRC_OK.
   [[nodiscard]] std::int64_t failed() const { return failed_; }
-  /// Warnings of the rows, and what those of one scene that it has are of (WarningsOf).
+  /// Warnings of the rows, and the grades of one scene that it has.
   [[nodiscard]] const WarningSummary& warnings() const { return warnings_; }
-  [[nodiscard]] unsigned warnings_of(std::int64_t scene) const {
-    return warned_[static_cast<std::size_t>(scene)];
+  [[nodiscard]] const SceneGrades& grades_of(std::int64_t scene) const {
+    return grades_[static_cast<std::size_t>(scene)];
   }
   /// The row of a scene that it has.
   [[nodiscard]] Row read(std::int64_t scene);
@@ -84,7 +95,7 @@ private:
   std::fstream file_;
   std::vector<std::int64_t> places_;  ///< in the file, by scene; -1: not there
   std::vector<std::int64_t> lengths_; ///< in bytes
-  std::vector<unsigned char> warned_; ///< WarningsOf, by scene
+  std::vector<SceneGrades> grades_;   ///< by scene
   WarningSummary warnings_;
   std::int64_t count_ = 0;
   std::int64_t failed_ = 0;

@@ -113,13 +113,15 @@ void begin(const Options& options, std::optional<driver::Study>& study,
   }
 }
 
-/// How many scenes were solved, and how many of those have warnings.
-std::string summary_of(std::int64_t scenes, std::int64_t failed, std::int64_t warned) {
+/// How many scenes were solved, and the grades of those.
+std::string summary_of(std::int64_t scenes, const driver::Journal& journal) {
+  const std::int64_t failed = journal.failed();
+  const std::string grades = journal.warnings().brief(scenes);
   return std::to_string(scenes) + (scenes == 1 ? " scene: " : " scenes: ") +
          (failed > 0    ? std::to_string(failed) + " not solved"
           : scenes == 1 ? "solved"
                         : "all solved") +
-         ", " + (warned == 0 ? "no" : std::to_string(warned) + " with") + " warnings";
+         "; " + (grades.empty() ? "no warnings" : grades);
 }
 
 /// What rank 0 does; the exit code.
@@ -149,8 +151,7 @@ int lead(const Options& options, const driver::Study& study, const driver::Ranks
   }
   if (!options.quiet) {
     std::cout << findings.str();
-    std::cout << summary_of(study.scene_count(), journal.failed(), journal.warnings().scenes())
-              << '\n';
+    std::cout << summary_of(study.scene_count(), journal) << '\n';
     for (const fs::path& path : files) {
       std::cout << path.string() << '\n';
     }

@@ -97,6 +97,7 @@ private:
 };
 
 constexpr const char* warning_count_name = "warning_count";
+constexpr const char* grade_name = "grade";
 
 /// Whether a study asks for a result by itself, which is then listed among the others.
 bool is_result(const Study& study, const char* name) {
@@ -124,6 +125,19 @@ void write_axis(NetcdfFile& file, const Scene& scene, const Axis& axis, int dime
   file.put(variable, numbers);
 }
 
+void describe_grade(NetcdfFile& file, int grade) {
+  std::vector<int> codes;
+  std::string meanings;
+  for (std::string name : grade_names) {
+    std::replace(name.begin(), name.end(), ' ', '_');
+    codes.push_back(static_cast<int>(codes.size()));
+    meanings += (meanings.empty() ? "" : " ") + name;
+  }
+  file.attribute(grade, "long_name", "worst of the warnings");
+  file.attribute(grade, "flag_values", codes);
+  file.attribute(grade, "flag_meanings", meanings);
+}
+
 void describe_status(NetcdfFile& file, int status) {
   std::vector<int> codes;
   std::string meanings;
@@ -143,6 +157,7 @@ void write_results(NetcdfFile& file, const Scene& scene, const Study& study, Jou
   std::vector<long long> status(count);
   std::vector<std::string> message(count);
   std::vector<long long> warning_count(count);
+  std::vector<long long> grade(count);
   std::vector<std::string> warnings(count);
   std::vector<std::vector<double>> values(study.results.size(), std::vector<double>(count));
   for (std::size_t index = 0; index < count; ++index) {
@@ -150,6 +165,7 @@ void write_results(NetcdfFile& file, const Scene& scene, const Study& study, Jou
     status[index] = row.status;
     message[index] = row.message;
     warning_count[index] = static_cast<long long>(row.warnings.size());
+    grade[index] = grade_of(row.warnings);
     warnings[index] = joined_warnings(row.warnings);
     for (std::size_t i = 0; i < values.size(); ++i) {
       values[i][index] = row.values[i];
@@ -163,6 +179,11 @@ void write_results(NetcdfFile& file, const Scene& scene, const Study& study, Jou
     const int variable = file.variable(warning_count_name, NC_INT64, dimensions);
     file.attribute(variable, "long_name", "warnings of profiles and both wheels");
     file.put(variable, warning_count);
+  }
+  if (!is_result(study, grade_name)) {
+    const int variable = file.variable(grade_name, NC_INT64, dimensions);
+    describe_grade(file, variable);
+    file.put(variable, grade);
   }
   const int texts = file.variable("warnings", NC_STRING, dimensions);
   file.attribute(texts, "long_name", "their texts, separated by \" | \"");
@@ -294,11 +315,16 @@ void write_csv(const Study& study, Journal& journal, const std::filesystem::path
   for (const Axis& axis : study.axes) {
     keys.push_back(axis.key);
   }
-  std::vector<std::string> head = words("status message warnings");
+  std::vector<std::string> head = words("status message");
   const bool counts = !is_result(study, warning_count_name);
-  if (counts) {
-    head.insert(head.end() - 1, warning_count_name);
+  const bool grades = !is_result(study, grade_name);
+  if (grades) {
+    head.emplace_back(grade_name);
   }
+  if (counts) {
+    head.emplace_back(warning_count_name);
+  }
+  head.emplace_back("warnings");
   CsvLine(out).add(words("scene")).add(keys).add(head).add(study.results);
   for (std::int64_t scene = 0; scene < study.scene_count(); ++scene) {
     const Row row = journal.read(scene);
@@ -309,6 +335,9 @@ void write_csv(const Study& study, Journal& journal, const std::filesystem::path
       line << text_of(study.axes[i].values[places[i]]);
     }
     line << wrc_status_name(row.status) << row.message;
+    if (grades) {
+      line << grade_of(row.warnings);
+    }
     if (counts) {
       line << row.warnings.size();
     }

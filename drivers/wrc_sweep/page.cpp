@@ -119,6 +119,10 @@ json solved(const Study& study, std::int64_t index) {
       made["message"] = wrc_scene_error(scene.handle());
     }
     made["warnings"] = scene.warnings();
+    made["grades"] = json::array(); // of the warnings
+    for (const Warning& warning : warnings_of(scene)) {
+      made["grades"].push_back(warning.grade);
+    }
     for (const std::string& name : sides_of(scene)) {
       made[name] = side(scene, name);
     }
@@ -169,8 +173,11 @@ PageSummary write_page(const Study& study, int threads, const std::filesystem::p
   PageSummary summary;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     summary.with_results += scenes[i].contains("left") || scenes[i].contains("right") ? 1 : 0;
-    summary.warnings.add(static_cast<std::int64_t>(i),
-                         scenes[i].value("warnings", std::vector<std::string>()));
+    std::vector<Warning> warnings;
+    for (const std::string& text : scenes[i].value("warnings", std::vector<std::string>())) {
+      warnings.push_back({text, scenes[i].at("grades").at(warnings.size())});
+    }
+    summary.warnings.add(static_cast<std::int64_t>(i), warnings);
   }
   json data{{"title", study.title.empty() ? study.name : study.title},
             {"version", wrc_version()},

@@ -12,7 +12,7 @@ struct DrawnLine {
   std::size_t colour = 0;
   std::size_t mark = 0;
   std::string data;
-  std::string warned; ///< of these points, those with warnings
+  std::string spoiled; ///< of these points, those that are not to be used
 };
 
 std::string data_of(const std::vector<double>& x, double x_factor, const std::vector<double>& y,
@@ -43,16 +43,16 @@ std::vector<DrawnLine> lines_of(const PictureRequest& picture, const PictureData
         are_whole = are_whole && (std::isnan(value) ||
                                   std::rint(panel.y_factor * value) == panel.y_factor * value);
       }
-      const auto warned = warned_places_of(picture, data, where, panel.lines[i].result);
-      std::vector<double> y_warned;
-      for (const double place : warned) {
-        y_warned.push_back(
+      const auto spoiled = spoiled_places_of(picture, data, where, panel.lines[i].result);
+      std::vector<double> y_spoiled;
+      for (const double place : spoiled) {
+        y_spoiled.push_back(
             y[static_cast<std::size_t>(std::find(x.begin(), x.end(), place) - x.begin())]);
       }
       lines.push_back({joined(series[group].title, panel.lines[i].title),
                        picture.series.empty() ? i : group, i,
                        data_of(x, picture.x_factor, y, panel.y_factor),
-                       data_of(warned, picture.x_factor, y_warned, panel.y_factor)});
+                       data_of(spoiled, picture.x_factor, y_spoiled, panel.y_factor)});
     }
   }
   return lines;
@@ -102,8 +102,8 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
           gnuplot_text(line.title, Markup::subscripts));
     }
     for (const DrawnLine& line : lines) {
-      if (!line.warned.empty()) { // hollow
-        items.push_back(gnuplot.block(line.warned) + " with points pt 7 ps " +
+      if (!line.spoiled.empty()) { // hollow
+        items.push_back(gnuplot.block(line.spoiled) + " with points pt 7 ps " +
                         (mark_size == "0.9" ? "0.45" : "0.2") + " lc rgb 'white' notitle");
       }
     }

@@ -26,14 +26,14 @@ std::string matrix_of(const PictureRequest& picture, const PictureData& data,
   return text + '\n';
 }
 
-/// Positions of scenes with warnings: x, y and the height 0.
-std::string warned_of(const PictureRequest& picture, const PictureData& data,
-                      const PanelRequest& panel) {
+/// Positions of scenes that are not to be used: x, y and the height 0.
+std::string spoiled_of(const PictureRequest& picture, const PictureData& data,
+                       const PanelRequest& panel) {
   std::string text;
   for (const double place : data.numbers_of(picture.series.front())) {
     Values where = picture.where;
     where.insert_or_assign(picture.series.front(), place);
-    for (const double x : warned_places_of(picture, data, where, panel.lines.front().result)) {
+    for (const double x : spoiled_places_of(picture, data, where, panel.lines.front().result)) {
       text += text_of(picture.x_factor * x) + ' ' + text_of(picture.series_factor * place) + " 0\n";
     }
   }
@@ -60,11 +60,11 @@ void draw_map(const PictureRequest& picture, const PictureData& data,
                    << warning_note(data, "by crosses");
   for (const PanelRequest& panel : picture.panels) {
     const std::string block = gnuplot.block(matrix_of(picture, data, panel));
-    const std::string warned = warned_of(picture, data, panel);
+    const std::string spoiled = spoiled_of(picture, data, panel);
     const std::string marks =
-        warned.empty() ? ""
-                       : ", " + gnuplot.block(warned) +
-                             " using 1:2:3 with points pt 2 ps 0.7 lc rgb 'black' nocontour";
+        spoiled.empty() ? ""
+                        : ", " + gnuplot.block(spoiled) +
+                              " using 1:2:3 with points pt 2 ps 0.7 lc rgb 'black' nocontour";
     gnuplot.script() << "set title " << gnuplot_text(panel.y_label, Markup::subscripts)
                      << "\nsplot " << block << " nonuniform matrix with pm3d nocontour, " << block
                      << " nonuniform matrix with lines lw 1 lc rgb '#404040' nosurface" << marks

@@ -18,7 +18,7 @@ struct Cell {
   Range lateral;                 ///< extent of all maps
   Range longitudinal;
   double pmax = std::numeric_limits<double>::quiet_NaN();
-  bool warned = false;
+  bool spoiled = false;
 };
 
 struct MapRow {
@@ -115,7 +115,7 @@ Cell cell_of(Gnuplot& gnuplot, const PictureData& data, std::int64_t scene, std:
   const Row row = data.row(scene);
   const std::string pmax = std::string(side_names[side]) + ".pmax";
   cell.pmax = data.number(row, pmax);
-  cell.warned = data.is_warned(scene, pmax);
+  cell.spoiled = data.is_spoiled(scene, pmax);
   double first_y = 0.0;
   double first_z = 0.0;
   for (const PatchFields& patch : row.patches) {
@@ -250,7 +250,7 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
           << (!std::isnan(cell.pmax) ? fixed(cell.pmax, 0)
               : is_drawn             ? "no bound"
                                      : "failed")
-          << (cell.warned ? " (!)" : "") << "' at " << column_middle(j) << ','
+          << (cell.spoiled ? " (!)" : "") << "' at " << column_middle(j) << ','
           << y - 0.5 * layout.cell_height + 2.0 << " center font ',9'\n";
       // Each contact in the middle of its cell, wherever it lies on the wheel.
       for (const std::string& map : cell.maps) {

@@ -23,7 +23,7 @@ struct RankedEntry {
   std::vector<RankedValue> values; ///< one for each panel
   std::int64_t scenes = 0;
   std::int64_t not_solved = 0;
-  std::int64_t warned = 0;
+  std::int64_t spoiled = 0; ///< not to be used
 };
 
 /// Numbers of the scenes that have these values.
@@ -65,7 +65,7 @@ RankedEntry ranked(SeriesEntry entry, const PictureRequest& picture, const Pictu
   for (const std::int64_t scene : scenes) {
     rows.push_back(data.row(scene));
     made.not_solved += rows.back().status != WRC_OK ? 1 : 0;
-    made.warned += rows.back().warnings.empty() ? 0 : 1;
+    made.spoiled += grade_of(rows.back().warnings) == WRC_DO_NOT_USE ? 1 : 0;
   }
   for (const PanelRequest& panel : picture.panels) {
     RankedValue& best = made.values.emplace_back();
@@ -129,7 +129,7 @@ void write_ranking(const std::vector<RankedEntry>& entries, const PictureRequest
       head.push_back("at");
     }
   }
-  CsvLine(file.stream()).add(head).add(words("scenes not_solved with_warnings"));
+  CsvLine(file.stream()).add(head).add(words("scenes not_solved do_not_use"));
   for (std::size_t i = 0; i < entries.size(); ++i) {
     CsvLine line(file.stream());
     line << i + 1 << entries[i].entry.name;
@@ -139,7 +139,7 @@ void write_ranking(const std::vector<RankedEntry>& entries, const PictureRequest
         line << entries[i].values[k].at;
       }
     }
-    line << entries[i].scenes << entries[i].not_solved << entries[i].warned;
+    line << entries[i].scenes << entries[i].not_solved << entries[i].spoiled;
   }
   file.commit();
 }
@@ -151,7 +151,7 @@ void print_ranking(const std::vector<RankedEntry>& entries, const PictureRequest
   for (const PanelRequest& panel : picture.panels) {
     head.push_back(heading_of(panel));
   }
-  head.insert(head.end(), {"not solved", "warned"});
+  head.insert(head.end(), {"not solved", "do not use"});
   table.add(head);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     std::vector<std::string> row{std::to_string(i + 1), one_line(entries[i].entry.shown)};
@@ -159,7 +159,7 @@ void print_ranking(const std::vector<RankedEntry>& entries, const PictureRequest
       row.push_back(std::isnan(value.value) ? "-" : value_text(value.value));
     }
     row.push_back(std::to_string(entries[i].not_solved));
-    row.push_back(std::to_string(entries[i].warned));
+    row.push_back(std::to_string(entries[i].spoiled));
     table.add(std::move(row));
   }
   table.print(out);

@@ -79,13 +79,13 @@ std::vector<double> line_of(const PictureRequest& picture, const PictureData& da
   return line;
 }
 
-std::vector<double> warned_places_of(const PictureRequest& picture, const PictureData& data,
-                                     Values where, const std::string& result) {
+std::vector<double> spoiled_places_of(const PictureRequest& picture, const PictureData& data,
+                                      Values where, const std::string& result) {
   std::vector<double> places;
   for (const double value : places_of(picture, data)) {
     where.insert_or_assign(picture.x, value);
     const std::int64_t scene = data.find(where);
-    if (scene >= 0 && data.is_warned(scene, result)) {
+    if (scene >= 0 && data.is_spoiled(scene, result)) {
       places.push_back(value);
     }
   }
@@ -93,15 +93,14 @@ std::vector<double> warned_places_of(const PictureRequest& picture, const Pictur
 }
 
 std::string warning_note(const PictureData& data, const std::string& marks, bool has_axes) {
-  if (data.warned() == 0) {
+  const std::string brief = data.warnings().brief(data.study().scene_count(), marks);
+  if (brief.empty()) {
     return "";
   }
-  const std::int64_t all = data.study().scene_count();
-  return (has_axes ? "set bmargin 5\n" : "") +
-         ("set label 9999 '" + std::to_string(data.warned())) + " of " + std::to_string(all) +
-         (all == 1 ? " scene has" : " scenes have") + " warnings" +
-         (marks.empty() ? "" : ", shown ") + marks +
-         "' at screen 0.006,character 0.7 left font ',9' tc rgb '#b00000' front\n";
+  const bool loud = data.warnings().scenes(WRC_DO_NOT_USE) > 0;
+  return (has_axes ? "set bmargin 5\n" : "") + ("set label 9999 '" + brief) +
+         "' at screen 0.006,character 0.7 left font ',9' tc rgb '" +
+         (loud ? "#b00000" : "#606060") + "' front\n";
 }
 
 std::string end_of_warning_note() {

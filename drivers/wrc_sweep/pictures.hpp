@@ -23,10 +23,10 @@ public:
   /// has its first value.
   [[nodiscard]] std::int64_t find(const Values& values) const;
   [[nodiscard]] Row row(std::int64_t scene) const { return journal_.read(scene); }
-  /// Scenes with warnings, and whether those of a scene concern a result.
-  [[nodiscard]] std::int64_t warned() const { return journal_.warnings().scenes(); }
-  [[nodiscard]] bool is_warned(std::int64_t scene, const std::string& result) const {
-    return (journal_.warnings_of(scene) & warnings_that_concern(result)) != 0;
+  [[nodiscard]] const WarningSummary& warnings() const { return journal_.warnings(); }
+  /// Whether a result of a scene is not to be used.
+  [[nodiscard]] bool is_spoiled(std::int64_t scene, const std::string& result) const {
+    return journal_.grades_of(scene).of(result) == WRC_DO_NOT_USE;
   }
   /// A result of a row; NaN if it failed or has none.
   [[nodiscard]] double number(const Row& row, const std::string& name) const;
@@ -45,9 +45,9 @@ std::vector<double> places_of(const PictureRequest& picture, const PictureData& 
 std::vector<double> line_of(const PictureRequest& picture, const PictureData& data, Values where,
                             const std::string& result);
 
-/// Positions of such a line at which the result has warnings.
-std::vector<double> warned_places_of(const PictureRequest& picture, const PictureData& data,
-                                     Values where, const std::string& result);
+/// Positions of such a line at which the result is not to be used.
+std::vector<double> spoiled_places_of(const PictureRequest& picture, const PictureData& data,
+                                      Values where, const std::string& result);
 /// Script lines for a line of text at the lower end of a picture that says how many scenes have
 /// warnings, and by which marks ("hollow"), with room for it below the labels of axes. It is drawn
 /// by each plot of a multiplot until end_of_warning_note follows. Nothing without warnings.

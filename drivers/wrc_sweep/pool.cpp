@@ -41,7 +41,7 @@ public:
 
 private:
   void read_results(Row& row) const {
-    row.warnings = scene_.warnings();
+    row.warnings = warnings_of(scene_);
     for (const std::string& name : study_.results) {
       row.values.push_back(result_of(scene_, name));
     }

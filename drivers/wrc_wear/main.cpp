@@ -5,12 +5,11 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
-#include <map>
 #include <numbers>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "reports/warning_summary.hpp"
 #include "support/gnuplot.hpp"
 #include "support/numbers.hpp"
 #include "support/output_file.hpp"
@@ -95,24 +94,8 @@ struct Worn {
   double volume = 0.0;       ///< of the mean wheel, mm^2
   std::vector<double> s;     ///< positions on the wheel ...
   std::vector<double> areas; ///< ... and what goes there, mm^2
-  std::vector<std::string> warnings{};
+  std::vector<Warning> warnings{};
 };
-
-/// A warning with "..." for its numbers, of which each solution has others.
-std::string without_numbers(const std::string& warning) {
-  constexpr std::string_view digits = "0123456789";
-  constexpr std::string_view also_in_numbers = "0123456789+-.eE";
-  std::string kept;
-  std::size_t end = 0; // of the number before
-  std::size_t first = warning.find_first_of(digits);
-  while (first != std::string::npos) {
-    const bool has_sign = first > end && (warning[first - 1] == '-' || warning[first - 1] == '+');
-    kept += warning.substr(end, first - end - (has_sign ? 1 : 0)) + "...";
-    end = std::min(warning.find_first_not_of(also_in_numbers, first), warning.size());
-    first = warning.find_first_of(digits, end);
-  }
-  return kept + warning.substr(end);
-}
 
 /// Each wheel is as often the left as the right one.
 Worn worn_by(Scene scene, const Passage& passage) {
@@ -122,7 +105,7 @@ Worn worn_by(Scene scene, const Passage& passage) {
   scene.set("pose.yaw", passage.yaw);
   scene.solve();
   Worn worn;
-  worn.warnings = scene.warnings();
+  worn.warnings = warnings_of(scene);
   for (const std::string side : side_names) {
     worn.volume += 0.5 * passage.share * scene.number_or(side + ".wear.volume", 0.0);
     const int patches = scene.count_of(side + ".patches");
@@ -210,7 +193,8 @@ void run(Options options) {
   double volume = 0.0;
   std::cout << "      km   depth mm   missing mm2      worn mm2   difference\n";
   int updates = 0;
-  std::map<std::string, long> warnings; // without their numbers, and how often
+  WarningSummary warnings;
+  std::int64_t solved = 0;
   while (done < options.distance) {
     const std::vector<Passage> passages =
         passages_of(scene_on(profile, options.assignments), mission);
@@ -221,9 +205,7 @@ void run(Options options) {
     profile.clear();
     double rate = 0.0; // mm^2 per distance rolled, no unit
     for (const Worn& each : worn) {
-      for (const std::string& warning : each.warnings) {
-        ++warnings[without_numbers(warning)];
-      }
+      warnings.add(solved++, each.warnings);
       rate += each.volume;
       for (std::size_t i = 0; i < each.s.size(); ++i) {
         profile.add(each.s[i], each.areas[i]);
@@ -247,9 +229,7 @@ void run(Options options) {
                 << missing / volume - 1.0 << std::endl;
     }
   }
-  for (const auto& [warning, times] : warnings) {
-    std::cerr << "wrc_wear: in " << times << " of the solutions: " << one_line(warning) << '\n';
-  }
+  std::cerr << warnings.text("wrc_wear", solved);
   if (!options.save.empty()) {
     profile.profile().write(options.save, 0.25);
   }

@@ -11,7 +11,7 @@ docs/results.md the results, docs/python.md shows the rest. Importing prints not
 here ends the program: failures raise a wrcontact.Error.
 """
 from ._library import lib as _lib, string as _string
-from .errors import (Busy, ContactWarning, Error, FileMalformed, FileUnreadable, InternalError,
+from .errors import (AccuracyNote, Busy, ContactWarning, Error, FileMalformed, FileUnreadable, InternalError,
                      InvalidArgument, NoContact, NoResult, NotConverged, OutOfMemory, TooSmall,
                      UnknownName)
 from .grid import NormalContact, RollingContact
@@ -24,7 +24,7 @@ from .table import Table, TableFacts
 
 __version__: str = _string(_lib.wrc_version())
 __all__ = [
-    "Busy", "ContactWarning", "Equilibrium", "Error", "FileMalformed", "FileUnreadable", "Group", "History", "InternalError",
+    "AccuracyNote", "Busy", "ContactWarning", "Equilibrium", "Error", "FileMalformed", "FileUnreadable", "Group", "History", "InternalError",
     "InvalidArgument", "Key", "NoContact", "NoResult", "NormalContact", "NotConverged",
     "OutOfMemory", "Profile", "ProfilePoint", "Result", "RollingContact", "Scene", "Solver", "Step",
     "Table", "TableFacts", "TooSmall", "UnknownName", "key_of", "keys", "solve", "solve_batch", "standard_profiles",

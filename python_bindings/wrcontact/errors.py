@@ -14,6 +14,10 @@ class ContactWarning(UserWarning):
     """A doubtful profile or solution; the result is returned nevertheless (docs/warnings.md)."""
 
 
+class AccuracyNote(ContactWarning):
+    """An error estimate a little over the accuracy, at most twice as large: one for each call."""
+
+
 class Error(Exception):
     """A call that the library refused; `status` is its number in wrcontact.h.
 

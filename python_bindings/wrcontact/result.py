@@ -11,7 +11,7 @@ import numpy as np
 from ._handle import encoded
 from ._interface import ffi
 from ._library import Array, lib, pointer, string
-from ._warnings import warnings_of
+from ._warnings import GRADES, graded_warnings_of, warnings_of
 from .errors import NoResult, UnknownName
 
 if TYPE_CHECKING:
@@ -184,7 +184,8 @@ class Result(Group):
     def warnings(self) -> list[str]:
         """All warnings, each beginning with its subject: profiles, then the left and the right wheel.
 
-        `result["warnings.0"]` is the first of them, of the class `result["warning_classes.0"]`;
+        `result["warnings.0"]` is the first of them, of the class `result["warning_classes.0"]` and
+        the grade `result["warning_grades.0"]`; `result["grade"]` is the worst as a number;
         `left.warnings` are those of the left wheel.
         """
         return warnings_of(self._live())
@@ -255,7 +256,8 @@ class Result(Group):
                 f"angle, {units[3]}")
         rows = [head, *_patch_rows(self)]
         table = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
-        warnings = "".join(f"<li>{escape(text)}</li>" for text in self.warnings)
+        warnings = "".join(f"<li>{GRADES[grade]}: {escape(text)}</li>"
+                           for grade, text in graded_warnings_of(self._live()))
         return (f"<p>{escape(_first_line(self))}</p><table>{table}</table>"
                 + (f"<p>Warnings:</p><ul>{warnings}</ul>" if warnings else ""))
 
@@ -299,5 +301,5 @@ def summary_of(result: Result) -> str:
     for row in _patch_rows(result):
         form = "  {:<6} {:>5} {:>12} {:>10} {:>16} {:>11}" if len(row) > 2 else "  {:<6} {}"
         lines.append(form.format(*row))
-    lines += [f"  warning, {text}" for text in result.warnings]
+    lines += [f"  {GRADES[grade]}: {text}" for grade, text in graded_warnings_of(result._live())]
     return "\n".join(lines) + ">"

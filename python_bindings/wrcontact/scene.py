@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from ._handle import Handle, encoded
 from ._interface import ffi
 from ._library import Array, doubles, lib, pointer, string
-from ._warnings import warn, warnings_of
+from ._warnings import graded_warnings_of, warn
 from .errors import InvalidArgument, NoResult, UnknownName, error_of
 from .profile import Profile
 from .result import Result
@@ -180,7 +180,8 @@ class Scene(Handle):
 
         NotConverged holds the result that was reached. After any other failure the last result
         stays. The key solve.until stops after one of the three. What is doubtful about profiles or
-        solution is a ContactWarning, and in Result.warnings.
+        solution is a ContactWarning, and in Result.warnings; an error estimate up to twice the
+        accuracy is an AccuracyNote.
         """
         return self._solved(lib.wrc_scene_solve(self._handle))
 
@@ -189,7 +190,7 @@ class Scene(Handle):
             self._check(status)
         self._solutions += 1
         if warns:
-            warn(warnings_of(self._handle))
+            warn(graded_warnings_of(self._handle))
         result = Result(self)
         if status != 0:
             error = error_of(status, string(self._error(self._handle)))

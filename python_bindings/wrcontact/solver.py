@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._handle import Handle
 from ._interface import ffi
 from ._library import Array, doubles, lib, pointer
-from ._warnings import warn_of_many, warnings_of
+from ._warnings import Graded, graded_warnings_of, warn_of_many
 from .errors import Error, InvalidArgument, error_of
 from .result import Result
 from .scene import Scene
@@ -196,10 +196,10 @@ def solve_batch(scenes: Sequence[Scene], *, threads: int = 1) -> list[Result | E
     return outcomes
 
 
-def warnings_of_outcome(outcome: Result | Error) -> list[str]:
+def warnings_of_outcome(outcome: Result | Error) -> list[Graded]:
     """Those of the result, if there is one."""
     result = outcome.result if isinstance(outcome, Error) else outcome
-    return [] if result is None else warnings_of(result._live())
+    return [] if result is None else graded_warnings_of(result._live())
 
 
 def solve_without_warning(scenes: Sequence[Scene], threads: int) -> list[Result | Error]:

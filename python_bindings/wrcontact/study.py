@@ -9,7 +9,7 @@ import numpy as np
 from ._handle import encoded
 from ._interface import ffi
 from ._library import doubles, lib, pointer, string
-from ._warnings import warn_of_many
+from ._warnings import GRADES, Graded, warn_of_many, worst_of
 from .errors import Error
 from .scene import Scene, key_of, keys, refuse_doubled, values_of
 from .result import unit_of
@@ -39,7 +39,7 @@ def study(parameters: Mapping[str, Any], results: Sequence[str] = ("left.pmax", 
     Each result has its unit as attribute `units`, each key that varies as well (if it is one number), and its meaning as
     `long_name`. The
     Dataset has besides `status` and `message` of each scene (0: solved; an exception's status and text),
-    `warning_count` and `warnings` (texts, separated by " | "), and all keys that do not vary as
+    `grade` (0 fine, 1 a little over, 2 do not use), `warning_count` and `warnings` (texts, separated by " | "), and all keys that do not vary as
     attributes. A scene that fails is not raised; each kind of warnings is a ContactWarning with the
     number of its scenes. Results do not depend on `threads`; each scene is solved by itself, as by
     Scene.solve.
@@ -62,7 +62,11 @@ def study(parameters: Mapping[str, Any], results: Sequence[str] = ("left.pmax", 
     variables["message"] = (dims, messages.reshape(shape))
     counts = np.array([len(texts) for texts in warned], dtype=np.int32)
     variables.setdefault("warning_count", (dims, counts.reshape(shape)))
-    texts = np.array([" | ".join(texts) for texts in warned], dtype=object)
+    grades = np.array([worst_of(graded) for graded in warned], dtype=np.int32)
+    variables.setdefault("grade", (dims, grades.reshape(shape), {
+        "flag_values": list(range(len(GRADES))),
+        "flag_meanings": " ".join(name.replace(" ", "_") for name in GRADES)}))
+    texts = np.array([" | ".join(text for _, text in graded) for graded in warned], dtype=object)
     variables["warnings"] = (dims, texts.reshape(shape))
     warn_of_many(warned)
     coordinates = {key: (array.dims, [_told(value) for value in array.values],
@@ -118,11 +122,11 @@ def _constant(arrays: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str,
 
 
 def _solve_all(columns: Mapping[str, Any], count: int, results: Sequence[str], threads: int,
-               values: Mapping[str, Any]) -> tuple[Any, Any, Any, list[list[str]]]:
+               values: Mapping[str, Any]) -> tuple[Any, Any, Any, list[list[Graded]]]:
     """A row of results, a status, a text and warnings for each scene."""
     table = np.full((count, len(results)), np.nan)
     statuses, messages = np.zeros(count, dtype=np.int32), np.full(count, "", dtype=object)
-    warned: list[list[str]] = [[] for _ in range(count)]
+    warned: list[list[Graded]] = [[] for _ in range(count)]
     scenes = [Scene(**values) for _ in range(min(count, _SCENES_AT_ONCE))]
     result_ids = _ids(results, "number")
     set_row = _setter(columns)

@@ -25,30 +25,34 @@ TEST_F(WrcSweepWarnings, EachKindIsPrintedOnceWithTheNumberOfScenes) {
   const auto has = [&outcome](const char* text) {
     return outcome.error.find(text) != std::string::npos;
   };
-  EXPECT_TRUE(outcome.error.starts_with("wrc_sweep: 3 of 4 scenes have warnings. All of them are "
-                                        "in o/s.csv; the first of each kind:\n"))
+  EXPECT_TRUE(outcome.error.starts_with("wrc_sweep: 1 of 4 scenes: do not use; 2 a little over the "
+                                        "accuracy. All warnings are in o/s.csv\n"))
       << outcome.error;
   EXPECT_TRUE(has("\n  2 scenes: left: the rail turns by 0.")) << outcome.error;
   EXPECT_TRUE(has("\n  1 scene: left: the largest pressure, 61")) << outcome.error;
   EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 3) << outcome.error;
   const Outcome loud = run("s.toml --out o1 --threads 1");
-  EXPECT_TRUE(loud.out.starts_with("4 scenes: all solved, 3 with warnings\n")) << loud.out;
+  EXPECT_TRUE(
+      loud.out.starts_with("4 scenes: all solved; 1 of 4 scenes: do not use; 2 a little over "
+                           "the accuracy\n"))
+      << loud.out;
   const std::string& again = loud.error;
   EXPECT_EQ(again.substr(again.find('\n')), outcome.error.substr(outcome.error.find('\n')))
       << "whatever scene ends first";
   const std::string table = read("o/s.csv");
-  EXPECT_TRUE(table.starts_with("scene,pose.lateral,status,message,warning_count,warnings,left."));
-  EXPECT_NE(table.find("\n0,0,ok,,0,,8"), std::string::npos) << table;
-  EXPECT_NE(table.find("\n1,5,ok,,1,\"left: the rail turns by"), std::string::npos) << table;
+  EXPECT_TRUE(
+      table.starts_with("scene,pose.lateral,status,message,grade,warning_count,warnings,left."));
+  EXPECT_NE(table.find("\n0,0,ok,,0,0,,8"), std::string::npos) << table;
+  EXPECT_NE(table.find("\n1,5,ok,,1,1,\"left: the rail turns by"), std::string::npos) << table;
 }
 
 TEST_F(WrcSweepWarnings, AResultOfTheSameNameIsWrittenOnce) {
   write("s.toml", "[pose]\nlateral = [0, 6.5]\n[solve]\naccuracy = 0.004\n[study]\nresults = "
-                  "[\"left.pmax\", \"warning_count\"]\n");
+                  "[\"left.pmax\", \"warning_count\", \"grade\"]\n");
   EXPECT_EQ(run("s.toml --out o").exit_code, 0);
   const std::string table = read("o/s.csv");
-  EXPECT_TRUE(
-      table.starts_with("scene,pose.lateral,status,message,warnings,left.pmax,warning_count\n"))
+  EXPECT_TRUE(table.starts_with(
+      "scene,pose.lateral,status,message,warnings,left.pmax,warning_count,grade\n"))
       << table;
 }
 
@@ -89,9 +93,37 @@ TEST_F(WrcCaseWarnings, ThreeNearContactsArePrintedAndTheRestCounted) {
   }
   EXPECT_EQ(lines, 4U) << outcome.out << outcome.error;
   EXPECT_NE(outcome.out.find(" more within 10 mm\n"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("\nWarning: left wheel profile waves.wheel: "), std::string::npos)
+  EXPECT_NE(outcome.out.find(": left wheel profile waves.wheel: "), std::string::npos)
       << outcome.out;
   EXPECT_EQ(outcome.out.find("Corrected: waves.wheel: warning"), std::string::npos);
+}
+
+/// Of the scenes of a study those a little over the accuracy have full marks, and the note is grey.
+TEST_F(WrcSweepWarnings, OnlyScenesThatAreNotToBeUsedAreMarkedInPictures) {
+  NEEDS_GNUPLOT();
+  const std::string picture = "\n[[picture]]\nkind = \"lines\"\nfile = \"s.svg\"\n"
+                              "x = \"pose.lateral\"\npanels = [{y_label = \"pmax\", lines = "
+                              "[{result = \"left.pmax\", title = \"left\"}]}]\n";
+  const auto drawn = [&](const std::string& lateral) {
+    write("s.toml", "[pose]\nlateral = " + lateral + "\n[solve]\naccuracy = 0.004\n[study]\n" +
+                        "results = [\"left.pmax\"]" + picture);
+    EXPECT_EQ(run("s.toml --restart --out p --quiet").exit_code, 0);
+    return read("p/s.svg");
+  };
+  const std::string quiet = drawn("[0, 5, 5.05]");
+  EXPECT_NE(quiet.find("2 of 3 scenes a little over the accuracy"), std::string::npos);
+  EXPECT_EQ(quiet.find("hollow"), std::string::npos);
+  const std::string loud = drawn("[0, 5, 6.5]");
+  EXPECT_NE(loud.find("1 of 3 scenes: do not use, shown hollow; 1 a little over the accuracy"),
+            std::string::npos);
+}
+
+TEST_F(WrcCaseWarnings, ALittleOverTheAccuracyIsOneLine) {
+  const Outcome quiet = run("--set pose.lateral=5 solve.accuracy=0.004");
+  EXPECT_NE(quiet.out.find("\nA little over: left: the rail turns by"), std::string::npos);
+  EXPECT_EQ(quiet.out.find("Do not use: "), std::string::npos);
+  const Outcome loud = run("--set pose.lateral=5 solve.accuracy=0.001");
+  EXPECT_NE(loud.out.find("\nDo not use: left: the rail turns by"), std::string::npos);
 }
 
 /// Below stresses too, and no longer than the picture of one wheel is wide.

@@ -68,7 +68,7 @@ TEST_F(WrcSweep, CombinesAllValuesAndVariesTheLastKeyFastest) {
   const auto lines = lines_of(read("o/s.csv"));
   ASSERT_EQ(lines.size(), 9U);
   EXPECT_TRUE(lines[0].starts_with(
-      "scene,track.cant,pose.lateral,status,message,warning_count,warnings,roll,"));
+      "scene,track.cant,pose.lateral,status,message,grade,warning_count,warnings,roll,"));
   EXPECT_TRUE(lines[1].starts_with("0,1:20,0,ok,,0,,"));
   EXPECT_TRUE(lines[4].starts_with("3,1:20,0.3,ok,,0,,")) << lines[4];
   EXPECT_TRUE(lines[5].starts_with("4,1:40,0,ok,,0,,"));
@@ -154,7 +154,7 @@ TEST_F(WrcSweep, ResumesAfterAnInterruptOrAKill) {
   // Finer than needed, so that the signal comes before the end.
   write("s.toml", "[pose]\nlateral = {from = 2, to = 6, count = 60}\n[solve]\ngrid = [128, 128]\n"
                   "[study]\nfields = [\"pressure\"]\n");
-  constexpr const char* warned = " of 60 scenes have warnings"; // kept in the rows, too
+  constexpr const char* warned = " of 60 scenes"; // with their grades, kept in the rows, too
   const auto whole = files("s.toml", "whole", warned);
   for (const int signal : some_of({SIGINT, SIGKILL}, 1)) {
     SCOPED_TRACE(signal);
@@ -204,7 +204,7 @@ TEST_F(WrcSweep, FailedScenesHaveRows) {
   EXPECT_NE(lines[2].find("nowhere.prr"), std::string::npos) << lines[2];
   const Outcome none = run("s.toml --set pose.lateral=100 --out none");
   EXPECT_EQ(none.exit_code, 3);
-  EXPECT_TRUE(none.out.starts_with("2 scenes: 2 not solved, no warnings\n")) << none.out;
+  EXPECT_TRUE(none.out.starts_with("2 scenes: 2 not solved; no warnings\n")) << none.out;
   EXPECT_NE(none.error.find("no scene has the status ok; none/s.csv"), std::string::npos)
       << none.error;
 }
