@@ -217,15 +217,29 @@ inline constexpr std::size_t likely_lines = 10;
 
 // Model of noise.
 
-/// Lengths of correlated noise that are tried.
-/// origin: reasoned: optical scanners average over 0.1 to 1 mm; wheels have longer waves.
-inline constexpr std::array correlations{0.3, 0.6, 1.2, 2.4};
-/// Points farther apart have independent noise.
-/// origin: bound: keeps the band narrow; at the longest correlation a half is left there.
-inline constexpr double uncorrelated_distance = 1.5;
-/// Noise is correlated if minus twice the logarithm of the likelihood falls by more than this.
-/// origin: reasoned: by chance it falls by 8 in one of 200 cases (chi squared of one freedom).
-inline constexpr double notable_gain = 8.0;
+/// Noise that an instrument has filtered is independent at one of these distances.
+/// origin: measured (drivers/evidence/core/measure_noise.cpp): of noise with the cut-off 2.5 mm a
+/// third is left at 1 mm, which the fit finds. From 1.5 mm on waves of worn wheels are such noise,
+/// too: of 0.008 mm for one of them, of 0.0002 mm at 1 mm.
+inline constexpr std::array filter_distances{0.5, 0.7, 1.0};
+/// The same over the cut-off of a Gaussian filter.
+/// origin: derived: filtered noise has a correlation of exp(-7.1 (distance / cut-off)^2) with
+/// the weights of ISO 16610-21, 0.17 there.
+inline constexpr double distance_of_cutoff = 0.5;
+/// A distance that leaves out points is this many of theirs.
+/// origin: bound: below it every second point or none is left out.
+inline constexpr double spacing_ratio = 1.5;
+/// Noise is filtered if there is this many times as much at a larger distance, or if neighbours
+/// have the same noise.
+/// origin: reasoned: a deviation of 100 points is known to 7 %, of neighbours that are correlated
+/// the fit takes more than half for waves.
+inline constexpr double more_noise = 1.5;
+/// What repeats itself within this many distances, so that it is correlated by more than this, are
+/// waves that were made.
+/// origin: measured: filtered noise has up to 0.5, a sine, as a tool leaves it, 0.9 to 1; eight
+/// distances hold waves of 2 to 8 mm.
+inline constexpr std::size_t largest_lag = 8;
+inline constexpr double most_repetition = 0.7;
 /// Intensities where the data say nothing, mm^-3 and mm^-1; they count as this number of values.
 /// origin: measured (drivers/evidence/core/measure_noise.cpp): the treads of five wheels have 4e-7
 /// to 2e-4 and 1e-8 to 3e-4 at waves of 7 to 20 mm; 0.2 is less than one halved wave contributes.
@@ -260,9 +274,9 @@ inline constexpr double rough_drift = 1.0;
 inline constexpr double rough_waviness = 1e-2;
 inline constexpr double rough_share = 1e-3;
 inline constexpr double least_variance = 1e-20;
-/// Points closer than this count as this far apart, lest equal places make a singular system.
-/// origin: bound: below the distance that readers leave between points.
-inline constexpr double least_distance = 1e-3;
+/// Least share of a point among those that count as one.
+/// origin: bound: keeps weights above 0.
+inline constexpr double least_share = 1e-6;
 /// The residual's least share of the squares; the least freedom of the noise, in values.
 /// origin: bound: above the rounding of sums, below what a line leaves of any measurement.
 inline constexpr double least_residual = 1e-12;

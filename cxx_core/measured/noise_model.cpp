@@ -29,59 +29,27 @@ Row row_at(const SplineBasis& basis, double arc) {
   return row;
 }
 
-/// B' N^-1 B and so on, which do not depend on sigma and q.
+/// B' B and so on, weighted, which do not depend on sigma and q.
 struct Sums {
   BandMatrix matrix;
   std::vector<double> right_side;
   double squares = 0.0;
-  double log_determinant = 0.0; ///< of N
   double count = 0.0;
 };
 
-/// A row of the whitened problem: entries from `first` on.
-struct WideRow {
-  std::size_t first = 0;
-  std::vector<double> value;
-  double offset = 0.0;
-};
-
-Sums sums_of(const SplineBasis& basis, const OffsetData& data, double correlation) {
-  const double reach = correlation > 0.0 ? uncorrelated_distance : 0.0;
-  const std::size_t width =
-      3 + (reach > 0.0 ? 1 + static_cast<std::size_t>(std::ceil(reach / basis.step())) : 0);
-  Sums sums{BandMatrix(basis.size(), width), std::vector<double>(basis.size(), 0.0)};
-  sums.count = static_cast<double>(data.arc.size());
-  Row before;
-  WideRow wide;
+Sums sums_of(const SplineBasis& basis, const OffsetData& data) {
+  Sums sums{BandMatrix(basis.size(), 3), std::vector<double>(basis.size(), 0.0)};
   for (std::size_t i = 0; i < data.arc.size(); ++i) {
     const Row row = row_at(basis, data.arc[i]);
-    const double distance = i > 0 ? data.arc[i] - data.arc[i - 1] : HUGE_VAL;
-    const double tie =
-        distance < reach ? std::exp(-std::max(distance, least_distance) / correlation) : 0.0;
-    const double variance = 1.0 - tie * tie;
-    const double scale = 1.0 / std::sqrt(variance);
-    wide.first = tie > 0.0 ? before.first : row.first;
-    wide.value.assign(row.first + 4 - wide.first, 0.0);
-    for (std::size_t k = 0; k < 4; ++k) {
-      wide.value[row.first - wide.first + k] += scale * data.weight[i] * row.value[k];
-    }
-    wide.offset = scale * data.weight[i] * data.offset[i];
-    if (tie > 0.0) {
-      const double factor = scale * tie * data.weight[i - 1];
-      for (std::size_t k = 0; k < 4; ++k) {
-        wide.value[k] -= factor * before.value[k];
-      }
-      wide.offset -= factor * data.offset[i - 1];
-    }
-    for (std::size_t a = 0; a < wide.value.size(); ++a) {
-      sums.right_side[wide.first + a] += wide.value[a] * wide.offset;
+    const double weight = data.weight[i] * data.weight[i];
+    for (std::size_t a = 0; a < 4; ++a) {
+      sums.right_side[row.first + a] += weight * row.value[a] * data.offset[i];
       for (std::size_t b = 0; b <= a; ++b) {
-        sums.matrix.at(wide.first + a, wide.first + b) += wide.value[a] * wide.value[b];
+        sums.matrix.at(row.first + a, row.first + b) += weight * row.value[a] * row.value[b];
       }
     }
-    sums.squares += wide.offset * wide.offset;
-    sums.log_determinant += std::log(variance);
-    before = row;
+    sums.squares += weight * data.offset[i] * data.offset[i];
+    sums.count += 1.0;
   }
   return sums;
 }
@@ -142,10 +110,8 @@ struct Component {
 /// The fixed point of sigma and the intensities.
 class Fit {
 public:
-  Fit(const SplineBasis& basis, const Sums& sums, std::span<const double> curvature,
-      double mean_spacing, double correlation)
-      : basis_(basis), sums_(sums), curvature_(curvature), spacing_(mean_spacing),
-        correlation_(correlation) {
+  Fit(const SplineBasis& basis, const Sums& sums, std::span<const double> curvature, double spacing)
+      : basis_(basis), sums_(sums), curvature_(curvature), spacing_(spacing) {
     drift_.unit = basis.step();
     drift_.usual = usual_drift;
     waviness_.unit = 1.0 / basis.step();
@@ -168,8 +134,8 @@ public:
   }
   /// -2 log of the restricted likelihood.
   [[nodiscard]] double deviance() const {
-    double sum = sums_.count * std::log(variance_) + sums_.log_determinant +
-                 factor_->log_determinant() + residual() / variance_;
+    double sum =
+        sums_.count * std::log(variance_) + factor_->log_determinant() + residual() / variance_;
     const auto add = [&](const Component& component, std::size_t j, double value) {
       const double variance = component.intensity[j] * component.unit;
       sum += std::log(variance) + value * value / variance;
@@ -182,15 +148,10 @@ public:
     }
     return sum;
   }
-  [[nodiscard]] double density() const {
-    return variance_ *
-           (correlation_ > 0.0 ? spacing_ / std::tanh(0.5 * spacing_ / correlation_) : spacing_);
-  }
   [[nodiscard]] NoiseFit result() const {
     NoiseFit fit;
     fit.basis = basis_;
     fit.deviation = std::sqrt(variance_);
-    fit.correlation = correlation_;
     for (std::size_t k = 0; k < basis_.size(); ++k) {
       fit.coefficients.push_back(unknowns_[coefficient_index(k)]);
     }
@@ -323,8 +284,9 @@ private:
   }
   /// Of the waves that prior and noise halve between them.
   [[nodiscard]] double wavelength_at(std::size_t j) const {
-    const double number = std::max(std::pow(drift_.intensity[j] / density(), 1.0 / 6.0),
-                                   std::pow(waviness_.intensity[j] / density(), 1.0 / 4.0));
+    const double density = variance_ * spacing_;
+    const double number = std::max(std::pow(drift_.intensity[j] / density, 1.0 / 6.0),
+                                   std::pow(waviness_.intensity[j] / density, 1.0 / 4.0));
     return 2.0 * std::numbers::pi / number;
   }
 
@@ -332,7 +294,6 @@ private:
   const Sums& sums_;
   std::span<const double> curvature_;
   double spacing_;
-  double correlation_;
   double variance_ = 0.0;
   Component drift_;
   Component waviness_;
@@ -349,6 +310,16 @@ double SplineBasis::value(std::span<const double> coefficients, double arc) cons
     sum += row.value[k] * coefficients[row.first + k];
   }
   return sum;
+}
+
+double correlation_of(std::span<const double> residuals, std::size_t lag) {
+  double product = 0.0;
+  double square = 0.0;
+  for (std::size_t i = lag; i < residuals.size(); ++i) {
+    product += residuals[i - lag] * residuals[i];
+    square += 0.5 * (residuals[i - lag] * residuals[i - lag] + residuals[i] * residuals[i]);
+  }
+  return square > 0.0 ? product / square : 0.0;
 }
 
 std::vector<double> weights_of(std::span<const double> residuals) {
@@ -421,14 +392,15 @@ Begin begin_rough(const SplineBasis& basis, const OffsetData& data) {
 }
 
 NoiseFit fit_from(const SplineBasis& basis, const OffsetData& data,
-                  std::span<const double> curvature, double correlation, const Begin& begin,
+                  std::span<const double> curvature, double distance, const Begin& begin,
                   int rounds) {
+  const Sums sums = sums_of(basis, data);
   const double spacing = basis.length / static_cast<double>(data.arc.size());
-  const Sums sums = sums_of(basis, data, correlation);
-  Fit fit(basis, sums, curvature, spacing, correlation);
+  Fit fit(basis, sums, curvature, std::max(distance, spacing));
   fit.start(begin.variance, begin.drift, begin.waviness);
   fit.run(rounds);
   NoiseFit result = fit.result();
+  result.distance = distance;
   result.deviance = fit.deviance();
   return result;
 }
@@ -437,9 +409,32 @@ Begin begin_with(const NoiseFit& fit) {
   return {fit.deviation * fit.deviation, fit.drift, fit.waviness};
 }
 
+/// Every point that is this far from the one before.
+OffsetData thinned(const OffsetData& data, double distance) {
+  OffsetData few;
+  for (std::size_t i = 0; i < data.arc.size(); ++i) {
+    if (few.arc.empty() || data.arc[i] - few.arc.back() > distance * (1.0 - place_rounding)) {
+      few.arc.push_back(data.arc[i]);
+      few.offset.push_back(data.offset[i]);
+      few.weight.push_back(data.weight[i]);
+    }
+  }
+  return few;
+}
+
+/// All points, of which those within a distance count as one.
+OffsetData shared_weights(OffsetData data, double distance) {
+  const std::size_t last = data.arc.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const double around = 0.5 * (data.arc[std::min(i + 1, last)] - data.arc[i > 0 ? i - 1 : 0]);
+    data.weight[i] *= std::sqrt(std::clamp(around / distance, least_share, 1.0));
+  }
+  return data;
+}
+
 } // namespace
 
-NoiseFit fit_noise(const SplineBasis& basis, OffsetData data, std::span<const double> curvature) {
+NoiseFit fit_noise(const SplineBasis& basis, OffsetData& data, std::span<const double> curvature) {
   const Begin smooth = begin_smooth(basis, data);
   NoiseFit best = fit_from(basis, data, curvature, 0.0, smooth, first_rounds);
   const NoiseFit other =
@@ -451,27 +446,30 @@ NoiseFit fit_noise(const SplineBasis& basis, OffsetData data, std::span<const do
     data.weight = weights_of(best.residuals(data));
     best = fit_from(basis, data, curvature, 0.0, begin_with(best), later_rounds);
   }
-  const double spacing = basis.length / static_cast<double>(data.arc.size());
-  for (const double correlation : correlations) {
-    if (correlation > 0.5 * spacing) {
-      NoiseFit tried = fit_from(basis, data, curvature, correlation, smooth, first_rounds);
-      if (tried.deviance < best.deviance - notable_gain) {
-        best = std::move(tried);
-      }
-    }
-  }
   return best;
+}
+
+NoiseFit fit_apart(const SplineBasis& basis, const OffsetData& data,
+                   std::span<const double> curvature, double distance) {
+  const OffsetData few = thinned(data, distance);
+  NoiseFit fit = fit_from(basis, few, curvature, distance, begin_smooth(basis, few), first_rounds);
+  const std::vector<double> residuals = fit.residuals(few);
+  fit.correlation = correlation_of(residuals);
+  for (std::size_t lag = 2; lag <= largest_lag; ++lag) {
+    fit.repetition = std::max(fit.repetition, correlation_of(residuals, lag));
+  }
+  return fit;
 }
 
 NoiseFit fit_again(const SplineBasis& basis, const OffsetData& data,
                    std::span<const double> curvature, const NoiseFit& before) {
-  Begin begin{before.deviation * before.deviation, {}, {}};
-  for (std::size_t j = 0; j <= basis.intervals; ++j) { // their number may be another
-    begin.drift.push_back(before.drift[std::min(j, before.drift.size() - 1)]);
-    begin.waviness.push_back(before.waviness[std::min(j, before.waviness.size() - 1)]);
-  }
-  begin.drift.pop_back();
-  return fit_from(basis, data, curvature, before.correlation, begin, later_rounds);
+  Begin begin = begin_with(before);
+  // The number of intervals may be another.
+  begin.drift.resize(basis.intervals, before.drift.back());
+  begin.waviness.resize(basis.intervals + 1, before.waviness.back());
+  return before.distance > 0.0 ? fit_from(basis, shared_weights(data, before.distance), curvature,
+                                          before.distance, begin, 0)
+                               : fit_from(basis, data, curvature, 0.0, begin, later_rounds);
 }
 
 } // namespace wrc

@@ -8,11 +8,12 @@
 /// have waves that new ones do not have. u is a cubic spline on equal intervals (Eilers and Marx,
 /// Flexible smoothing with B-splines and penalties, Statistical Science 11, 1996); drift and u
 /// minimise the sum of squares of all three, each over its variance. Noise is independent from
-/// point to point, or its correlation is exp(-|s_i - s_k| / length), as instruments have that
-/// filter.
+/// point to point, or from a distance on, if an instrument's filter has smoothed it: then points
+/// that are that far apart give sigma, q and b, without a model of the filter, and all points with
+/// the weight of one in each distance give u.
 ///
-/// sigma, q, b and the correlation's length are those of the largest restricted likelihood; sigma,
-/// q and b follow from the fixed point of Wood and Fasiolo, A generalized Fellner-Schall method for
+/// sigma, q and b are those of the largest restricted likelihood and follow from the fixed point of
+/// Wood and Fasiolo, A generalized Fellner-Schall method for
 /// smoothing parameter optimization (Biometrics 73, 2017). q and b are averages over a
 /// neighbourhood of about the waves that are halved there (penalties that vary in space:
 /// Krivobokova, Crainiceanu and Kauermann, Fast adaptive penalized splines, J. Comput. Graph.
@@ -57,8 +58,10 @@ std::vector<double> weights_of(std::span<const double> residuals);
 struct NoiseFit {
   SplineBasis basis;
   double deviation = 0.0;   ///< sigma, mm
-  double correlation = 0.0; ///< its length, mm
+  double distance = 0.0;    ///< at which points have independent noise, mm; 0: their own
   double deviance = 0.0;    ///< -2 log of the restricted likelihood, up to a constant
+  double correlation = 0.0; ///< of neighbouring residuals (fit_apart)
+  double repetition = 0.0;  ///< largest correlation of others (fit_apart)
   std::vector<double> coefficients;
   std::vector<double> wavelength;                ///< of waves that are halved, mm, per interval
   std::vector<double> drift;                     ///< q, mm^-3, per interval
@@ -71,10 +74,17 @@ struct NoiseFit {
   [[nodiscard]] std::vector<double> draw(const std::function<double()>& normal) const;
 };
 
-/// `curvature`: of the reference at the ends of the intervals, 1/mm. Throws Error(internal) if a
-/// system cannot be solved.
-NoiseFit fit_noise(const SplineBasis& basis, OffsetData data, std::span<const double> curvature);
-/// The same for nearly the same data as before, which gives its correlation and where to begin.
+/// Correlation of residuals that are `lag` places apart, -1 to 1.
+double correlation_of(std::span<const double> residuals, std::size_t lag = 1);
+
+/// The noise of each point independent; `data` gets the weights that limit the influence of points
+/// far off. `curvature`: of the reference at the ends of the intervals, 1/mm. Throws
+/// Error(internal) if a system cannot be solved.
+NoiseFit fit_noise(const SplineBasis& basis, OffsetData& data, std::span<const double> curvature);
+/// The same from points that are at least this far apart, taking what they scatter as noise.
+NoiseFit fit_apart(const SplineBasis& basis, const OffsetData& data,
+                   std::span<const double> curvature, double distance);
+/// The same for nearly the same data as before, of which all points count.
 NoiseFit fit_again(const SplineBasis& basis, const OffsetData& data,
                    std::span<const double> curvature, const NoiseFit& before);
 

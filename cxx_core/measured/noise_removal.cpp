@@ -156,16 +156,43 @@ private:
   std::mt19937_64 engine_;
 };
 
+/// The noise of the points, which an instrument may have filtered.
+NoiseFit first_fit(Offsets& offsets, double cutoff) {
+  const auto apart = [&](double distance) {
+    return fit_apart(offsets.basis, offsets.data, offsets.curvature, distance);
+  };
+  NoiseFit fit = fit_noise(offsets.basis, offsets.data, offsets.curvature);
+  const double spacing = offsets.basis.length / static_cast<double>(offsets.data.arc.size());
+  if (cutoff > 0.0) {
+    const double distance = distance_of_cutoff * cutoff;
+    return distance > spacing_ratio * spacing ? apart(distance) : fit;
+  }
+  double correlation = correlation_of(fit.residuals(offsets.data));
+  for (const double distance : filter_distances) {
+    if (distance > spacing_ratio * spacing) {
+      NoiseFit next = apart(distance);
+      if (next.repetition < most_repetition &&
+          (correlation > 0.0 || next.deviation > more_noise * fit.deviation) &&
+          flattening * next.deviation > notable_pressure * distance) {
+        correlation = next.correlation;
+        fit = std::move(next);
+      }
+    }
+  }
+  return fit;
+}
+
 } // namespace
 
-NoiseRemoval remove_noise(std::span<const Position> all) {
+NoiseRemoval remove_noise(std::span<const Position> all, double cutoff) {
   const std::span<const Position> points = without_lone_ends(all);
   const std::vector<Position> smoothed = smooth_points(points, reference_wavelength);
   std::vector<Position> thinned = smoothed;
   reading::drop_close_points(thinned, reference_spacing);
   const Curve first = curve_through(thinned);
-  const Offsets from_first = offsets_from(first, points, smoothed);
-  const NoiseFit rough = fit_noise(from_first.basis, from_first.data, from_first.curvature);
+  Offsets from_first = offsets_from(first, points, smoothed);
+  const NoiseFit rough = fit_again(from_first.basis, from_first.data, from_first.curvature,
+                                   first_fit(from_first, cutoff));
 
   const auto line = [](const Curve& reference, const NoiseFit& fit) {
     auto found = line_of(reference, fit.basis, fit.coefficients);
@@ -188,7 +215,7 @@ NoiseRemoval remove_noise(std::span<const Position> all) {
     }
   }
   result.deviation = fit.deviation;
-  result.correlation = fit.correlation;
+  result.distance = fit.distance;
   std::vector<double> waves = fit.wavelength;
   std::sort(waves.begin(), waves.end());
   const auto rest = static_cast<std::size_t>(left_out * static_cast<double>(waves.size()));

@@ -20,13 +20,14 @@ struct NoiseRemoval {
   std::vector<std::vector<Position>> likely; ///< lines that are equally likely
   std::size_t lone_ends = 0;                 ///< points at the ends that were left out
   double deviation = 0.0;                    ///< of the noise, mm
-  double correlation = 0.0;                  ///< its length, mm; 0: independent from point to point
+  double distance = 0.0; ///< at which it is independent, mm; 0: from point to point
   /// Waves that are halved, mm: a tenth of the profile halves shorter, a tenth longer ones.
   double short_wave = 0.0;
   double long_wave = 0.0;
 };
 
-/// Points in the order of profile.hpp. Throws Error for points that a curve cannot join.
-NoiseRemoval remove_noise(std::span<const Position> points);
+/// Points in the order of profile.hpp. `cutoff`: of the filter that the instrument had, mm; 0: as
+/// the points say. Throws Error for points that a curve cannot join.
+NoiseRemoval remove_noise(std::span<const Position> points, double cutoff = 0.0);
 
 } // namespace wrc

@@ -324,11 +324,11 @@ Scatter scatter_of(std::span<const Position> points) {
   if (spacing > scatter_spacing) {
     return {};
   }
-  return scatter_of(points, deviation_of(points, spacing));
+  return scatter_of(points, deviation_of(points, spacing), 0.0);
 }
 
-Scatter scatter_of(std::span<const Position> points, double deviation) {
-  return {deviation, flattening * deviation / median_spacing(points),
+Scatter scatter_of(std::span<const Position> points, double deviation, double distance) {
+  return {deviation, flattening * deviation / std::max(median_spacing(points), distance),
           deviation < share_of_digit * last_digit_of(points)};
 }
 

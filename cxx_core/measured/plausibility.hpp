@@ -28,8 +28,8 @@ struct Scatter {
   [[nodiscard]] bool matters() const;
 };
 Scatter scatter_of(std::span<const Position> points);
-/// The same where the deviation is known from elsewhere.
-Scatter scatter_of(std::span<const Position> points, double deviation);
+/// The same where the deviation is known from elsewhere, and at which distance it is independent.
+Scatter scatter_of(std::span<const Position> points, double deviation, double distance);
 
 /// Warns of places where the curve through the points leaves them.
 void check_curve(const Profile& profile, Log& log);

@@ -58,9 +58,8 @@ std::string scatter_text(const reading::Scatter& scatter) {
          reading::fixed_text(scatter.pressure, 0) + " MPa to flatten";
 }
 
-/// The lines as curves; NULL if a curve cannot join all of them.
-std::shared_ptr<const std::vector<Curve>>
-curves_through(const std::vector<std::vector<Position>>& lines) {
+/// The lines as curves, without those that a curve cannot join.
+std::vector<Curve> curves_through(const std::vector<std::vector<Position>>& lines) {
   std::vector<Curve> curves;
   for (const std::vector<Position>& line : lines) {
     try {
@@ -68,11 +67,28 @@ curves_through(const std::vector<std::vector<Position>>& lines) {
     } catch (const Error&) { // has a cusp, at an end whose points are far apart
     }
   }
-  return curves.empty() ? nullptr : std::make_shared<const std::vector<Curve>>(std::move(curves));
+  return curves;
 }
 
-/// None of points that are no line, which join() then refuses or check_curve() reports.
+/// The points with each of the smoothed_waves halved; none if it cannot be.
+std::vector<Curve> smoothed_curves(std::span<const Position> points) {
+  std::vector<Curve> curves;
+  try {
+    for (const double wavelength : smoothed_waves) {
+      curves.push_back(curve_through(smooth_points(points, wavelength)));
+    }
+  } catch (const Error&) {
+    curves.clear();
+  }
+  return curves;
+}
+
+/// None of points that are too far apart to tell, or no line, which join() then refuses or
+/// check_curve() reports.
 std::optional<NoiseRemoval> noise_removed_from(std::span<const Position> points) {
+  if (reading::median_spacing(points) > scatter_spacing) {
+    return std::nullopt;
+  }
   try {
     NoiseRemoval clean = remove_noise(points);
     static_cast<void>(curve_through(clean.points)); // that it can be joined
@@ -101,11 +117,11 @@ void smooth_by_noise(Profile& profile, const NoiseRemoval& clean, bool stated, L
 void report_noise(const reading::Scatter& scatter, const NoiseRemoval* clean, double wavelength,
                   Log& log) {
   std::string text = scatter_text(scatter);
-  if (clean == nullptr && wavelength > 0.0) {
+  if (wavelength == 0.0 || (clean == nullptr && wavelength < 0.0)) {
+    text += ": not smoothed, pressures are those of the scatter";
+  } else if (clean == nullptr) {
     text += ": the waves that it needs to be halved are unknown, smoothing halves " +
             text_of(wavelength) + " mm";
-  } else if (clean == nullptr) {
-    text += ": not smoothed, pressures are those of the scatter";
   } else if (wavelength == automatic_smoothing) {
     text += ": smoothed automatically, " + waves_text(*clean) +
             " are halved; spread.pmax is what remains uncertain";
@@ -124,28 +140,28 @@ void join(Profile& profile, const ReadOptions& options, Log& log) {
   const double wavelength = options.smoothing_wavelength.value_or(automatic_smoothing);
   reading::Scatter scatter = reading::scatter_of(profile.points);
   try {
-    std::optional<NoiseRemoval> clean;
-    if (wavelength != 0.0 && scatter.matters()) {
-      clean = noise_removed_from(profile.points);
-    }
+    const std::optional<NoiseRemoval> clean = noise_removed_from(profile.points);
+    std::shared_ptr<ProfileDoubt> doubt;
     if (clean) { // waves that several points agree upon are no noise
-      scatter = reading::scatter_of(profile.points, clean->deviation);
-      if (scatter.matters()) {
-        profile.likely = curves_through(clean->likely);
-      } else {
-        clean.reset();
-      }
+      scatter = reading::scatter_of(profile.points, clean->deviation, clean->distance);
+      const bool is_white = scatter.matters() && clean->distance == 0.0;
+      doubt = std::make_shared<ProfileDoubt>(ProfileDoubt{
+          {}, curves_through(clean->likely), smoothed_curves(profile.points), !is_white});
     }
     if (wavelength > 0.0) {
       profile.points = smooth_points(profile.points, wavelength);
       log.note("smoothed, waves of " + text_of(wavelength) + " mm are halved");
-    } else if (clean) {
+    } else if (clean && wavelength != 0.0 && scatter.matters()) {
       smooth_by_noise(profile, *clean, options.smoothing_wavelength.has_value(), log);
     }
     if (scatter.matters()) {
       report_noise(scatter, clean ? &*clean : nullptr, wavelength, log);
     }
     profile.curve = curve_through(profile.points);
+    if (doubt) {
+      doubt->curve = profile.curve;
+      profile.doubt = std::move(doubt);
+    }
   } catch (const Error& error) {
     log.refuse(error.what());
   }

@@ -6,6 +6,7 @@
 /// Units mm. Thread rule: immutable, safe to share.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -18,6 +19,22 @@ namespace wrc {
 
 enum class ProfileKind { wheel, rail };
 
+/// Wavelengths that are halved to see what depends on them, mm.
+/// origin: reasoned: waves of 2 to 8 mm are as likely noise that an instrument has filtered;
+/// halving 3 mm keeps, and halving 15 mm removes them.
+inline constexpr std::array smoothed_waves{3.0, 5.0, 8.0, 15.0};
+
+/// What the points of a profile leave open.
+struct ProfileDoubt {
+  Curve curve; ///< of the profile
+  /// Equally likely curves, by whose differences noise makes results uncertain.
+  std::vector<Curve> likely;
+  /// The curve with its smoothed_waves halved; none if the points cannot be smoothed.
+  std::vector<Curve> smoothed;
+  /// Whether waves may be noise, so that the smoothed curves are as likely as the profile's.
+  bool is_of_waves = false;
+};
+
 struct Profile {
   std::string name;
   ProfileKind kind = ProfileKind::wheel;
@@ -28,8 +45,7 @@ struct Profile {
   /// What the curve was drawn through; none of a built-in profile.
   std::vector<Position> points{};
   Warnings warnings{}; ///< what no wheel or rail has, found when it was read
-  /// Of noisy points: curves that are equally likely, by whose differences results are uncertain.
-  std::shared_ptr<const std::vector<Curve>> likely{};
+  std::shared_ptr<const ProfileDoubt> doubt{}; ///< none of exact curves
 };
 
 /// Names of the built-in profiles, in the order in which they are listed for users.

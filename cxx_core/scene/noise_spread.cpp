@@ -29,21 +29,34 @@ constexpr double likely_accuracy = 1e-2;
 /// origin: bound: the least that solve.element_limit permits.
 constexpr double least_element_limit = 1e3;
 
-void take_curve(ProfileChoice& choice, ProfileKind kind, const NoisyScene::LikelyCurves& likely,
-                std::size_t line) {
-  if (!likely) {
+/// Which curves of the profiles are taken, and which of them; without, those of the result.
+struct Line {
+  std::vector<Curve> ProfileDoubt::*curves = nullptr;
+  std::size_t number = 0;
+};
+
+const Curve& curve_of(const ProfileDoubt& doubt, const Line& line) {
+  const bool is_changed = line.curves == &ProfileDoubt::likely ||
+                          (line.curves == &ProfileDoubt::smoothed && doubt.is_of_waves);
+  return is_changed && line.number < (doubt.*line.curves).size() ? (doubt.*line.curves)[line.number]
+                                                                 : doubt.curve;
+}
+
+void take_curve(ProfileChoice& choice, ProfileKind kind, const NoisyScene::Doubt& doubt,
+                const Line& line) {
+  if (!doubt) {
     return;
   }
   auto profile = std::make_shared<Profile>();
   profile->name = choice.name;
   profile->kind = kind;
-  profile->curve = likely->at(line);
+  profile->curve = curve_of(*doubt, line);
   choice.given = std::move(profile);
   choice.smoothing.reset();
 }
 
-/// The scene with one of the likely curves of each profile.
-Scene likely_scene(const NoisyScene& noisy, std::size_t line) {
+/// The scene with curves of its profiles.
+Scene scene_with(const NoisyScene& noisy, const Line& line) {
   Scene scene = noisy.scene;
   take_curve(scene.left.wheel, ProfileKind::wheel, noisy.left_wheel, line);
   take_curve(scene.left.rail, ProfileKind::rail, noisy.left_rail, line);
@@ -87,18 +100,22 @@ Numbers numbers_of(const SceneResult& result) {
   return numbers;
 }
 
-SceneSpread spread_from(const NoisyScene& noisy, const Numbers& centre) {
+/// Mean squares of differences from the result; not-a-number of too few.
+Numbers mean_squares(const NoisyScene& noisy, const Numbers& centre,
+                     std::vector<Curve> ProfileDoubt::*curves, std::size_t most, int least) {
   SceneSolver solver;
   Numbers squares{};
   std::array<int, std::tuple_size_v<Numbers>> counts{};
-  std::size_t lines = likely_lines;
-  for (const NoisyScene::LikelyCurves* likely :
+  std::size_t lines = most;
+  for (const NoisyScene::Doubt* doubt :
        {&noisy.left_wheel, &noisy.left_rail, &noisy.right_wheel, &noisy.right_rail}) {
-    lines = *likely ? std::min(lines, (*likely)->size()) : lines;
+    if (*doubt && (curves == &ProfileDoubt::likely || (*doubt)->is_of_waves)) {
+      lines = std::min(lines, ((**doubt).*curves).size());
+    }
   }
   for (std::size_t line = 0; line < lines; ++line) {
     try {
-      const Numbers numbers = numbers_of(solver.solve(likely_scene(noisy, line)));
+      const Numbers numbers = numbers_of(solver.solve(scene_with(noisy, {curves, line})));
       for (std::size_t i = 0; i < numbers.size(); ++i) {
         const double difference = numbers[i] - centre[i];
         if (std::isfinite(difference)) {
@@ -112,24 +129,55 @@ SceneSpread spread_from(const NoisyScene& noisy, const Numbers& centre) {
       }
     }
   }
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    squares[i] =
+        counts[i] >= least ? squares[i] / counts[i] : std::numeric_limits<double>::quiet_NaN();
+  }
+  return squares;
+}
+
+SceneSpread spread_of_numbers(const Numbers& squares) {
   const auto spread = [&](std::size_t i) {
-    return counts[i] >= least_solutions
-               ? std::optional(deviations * std::sqrt(squares[i] / counts[i]))
-               : std::nullopt;
+    return std::isfinite(squares[i]) ? std::optional(deviations * std::sqrt(squares[i]))
+                                     : std::nullopt;
   };
   return {spread(0), {spread(1), spread(2)}, {spread(3), spread(4)}};
 }
 
+SceneSpread spread_from(const NoisyScene& noisy) {
+  SceneSolver solver;
+  const Numbers centre = numbers_of(solver.solve(scene_with(noisy, {})));
+  Numbers squares =
+      mean_squares(noisy, centre, &ProfileDoubt::likely, likely_lines, least_solutions);
+  const bool is_of_waves = std::ranges::any_of(
+      std::array{noisy.left_wheel, noisy.left_rail, noisy.right_wheel, noisy.right_rail},
+      [](const NoisyScene::Doubt& doubt) { return doubt && doubt->is_of_waves; });
+  if (is_of_waves) {
+    const Numbers waves =
+        mean_squares(noisy, centre, &ProfileDoubt::smoothed, smoothed_waves.size(), 1);
+    for (std::size_t i = 0; i < squares.size(); ++i) {
+      squares[i] += waves[i];
+    }
+  }
+  return spread_of_numbers(squares);
+}
+
+/// 0 for each number that the result has.
+SceneSpread no_spread(const Numbers& numbers) {
+  Numbers squares{};
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    squares[i] = 0.0 * numbers[i];
+  }
+  return spread_of_numbers(squares);
+}
+
 } // namespace
 
-const SceneSpread* spread_of(SceneResult& result) {
-  if (!result.noise) {
-    return nullptr;
+const SceneSpread& spread_of(SceneResult& result) {
+  if (!result.spread) {
+    result.spread = result.noise ? spread_from(*result.noise) : no_spread(numbers_of(result));
   }
-  if (!result.noise->spread) {
-    result.noise->spread = spread_from(*result.noise, numbers_of(result));
-  }
-  return &*result.noise->spread;
+  return *result.spread;
 }
 
 } // namespace wrc

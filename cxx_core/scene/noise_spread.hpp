@@ -13,7 +13,7 @@
 
 namespace wrc {
 
-/// None without noisy profiles.
-const SceneSpread* spread_of(SceneResult& result);
+/// 0 with exact profiles, which are built in.
+const SceneSpread& spread_of(SceneResult& result);
 
 } // namespace wrc

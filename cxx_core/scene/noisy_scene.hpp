@@ -5,10 +5,9 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "keys/scene.hpp"
-#include "profile/curve.hpp"
+#include "profile/profile.hpp"
 
 namespace wrc {
 
@@ -25,16 +24,15 @@ struct SceneSpread {
   WheelSpread right;
 };
 
-/// A scene with the equally likely curves of its profiles, and its spread once it was requested.
+/// A scene and the doubts about its profiles.
 struct NoisyScene {
-  using LikelyCurves = std::shared_ptr<const std::vector<Curve>>; ///< none: NULL
+  using Doubt = std::shared_ptr<const ProfileDoubt>; ///< none: NULL
 
   Scene scene;
-  LikelyCurves left_wheel;
-  LikelyCurves left_rail;
-  LikelyCurves right_wheel;
-  LikelyCurves right_rail;
-  std::optional<SceneSpread> spread{};
+  Doubt left_wheel;
+  Doubt left_rail;
+  Doubt right_wheel;
+  Doubt right_rail;
 };
 
 } // namespace wrc

@@ -70,15 +70,10 @@ std::optional<SceneWheel>& side_of(SceneResult& result, const NumberId& id) {
 }
 
 double spread_value(SceneResult& result, const Reading& reading) {
-  const SceneSpread* const spread = spread_of(result);
-  if (reading.id.group == NumberGroup::scene_spread) {
-    return reading.value(scene_spread_numbers, spread);
-  }
-  const bool solved = side_of(result, reading.id).has_value();
-  const WheelSpread* const wheel = spread == nullptr || !solved ? nullptr
-                                   : reading.id.right           ? &spread->right
-                                                                : &spread->left;
-  return reading.value(spread_numbers, wheel);
+  const SceneSpread& spread = spread_of(result);
+  return reading.id.group == NumberGroup::scene_spread
+             ? reading.value(scene_spread_numbers, &spread)
+             : reading.value(spread_numbers, reading.id.right ? &spread.right : &spread.left);
 }
 
 double side_value(SceneWheel& side, const Reading& reading) {
@@ -198,18 +193,16 @@ void add_side_texts(std::vector<std::pair<std::string, std::string>>& texts,
 std::vector<std::string> number_names(SceneResult& result) {
   std::vector<std::string> names;
   add_names(names, "", scene_numbers, &result);
-  const SceneSpread* const spread = spread_of(result);
-  if (spread != nullptr) {
-    add_names(names, "spread.", scene_spread_numbers, spread);
-  }
+  const SceneSpread& spread = spread_of(result);
+  add_names(names, "spread.", scene_spread_numbers, &spread);
   for (const bool right : {false, true}) {
     std::optional<SceneWheel>& side = right ? result.right : result.left;
     const std::string prefix = right ? "right." : "left.";
     if (side) {
       add_side_names(names, prefix, *side);
     }
-    if (side && spread != nullptr) {
-      add_names(names, prefix + "spread.", spread_numbers, right ? &spread->right : &spread->left);
+    if (side) {
+      add_names(names, prefix + "spread.", spread_numbers, right ? &spread.right : &spread.left);
     }
   }
   if (wheelset_force(result)) {

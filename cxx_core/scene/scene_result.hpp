@@ -45,7 +45,8 @@ struct SceneResult {
   std::vector<std::string> corrections; ///< made to profiles read from files
   UnusedKeys unused_keys;               ///< of the scene
   ProfileWarnings profile_warnings;     ///< of the profiles it was solved with
-  std::optional<NoisyScene> noise;      ///< with noisy profiles, see spread_of
+  std::optional<NoisyScene> noise;      ///< with profiles of points
+  std::optional<SceneSpread> spread;    ///< once it was requested, see spread_of
 };
 
 } // namespace wrc

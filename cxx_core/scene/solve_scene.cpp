@@ -258,10 +258,10 @@ void complete_wheel(const Scene& scene, const WheelLoads& loads, RollingSolver& 
 void keep_noise(const Scene& scene, const SceneSurfaces& surfaces, SceneResult& result) {
   const bool left = result.left.has_value();
   const bool right = result.right.has_value();
-  if ((left && (surfaces.left.likely_wheels || surfaces.left.likely_rails)) ||
-      (right && (surfaces.right.likely_wheels || surfaces.right.likely_rails))) {
-    result.noise.emplace(NoisyScene{scene, surfaces.left.likely_wheels, surfaces.left.likely_rails,
-                                    surfaces.right.likely_wheels, surfaces.right.likely_rails});
+  if ((left && (surfaces.left.wheel_doubt || surfaces.left.rail_doubt)) ||
+      (right && (surfaces.right.wheel_doubt || surfaces.right.rail_doubt))) {
+    result.noise.emplace(NoisyScene{scene, surfaces.left.wheel_doubt, surfaces.left.rail_doubt,
+                                    surfaces.right.wheel_doubt, surfaces.right.rail_doubt});
   }
 }
 

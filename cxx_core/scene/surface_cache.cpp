@@ -230,7 +230,7 @@ template <class Surface, class Dimensions>
 std::shared_ptr<const Surface> get_one(RecentSurfaces<Surface, Dimensions>& kept,
                                        const SurfaceSource<Dimensions>& source, ProfileKind kind,
                                        const std::string& key, SideChoice side, bool is_solved,
-                                       NoisyScene::LikelyCurves& likely, SceneSurfaces& all) {
+                                       NoisyScene::Doubt& doubt, SceneSurfaces& all) {
   auto entry = kept.get(source, [&] {
     const Stopwatch stopwatch;
     check_waves(source.profile.harmonics, radius_of(source.dimensions));
@@ -247,7 +247,7 @@ std::shared_ptr<const Surface> get_one(RecentSurfaces<Surface, Dimensions>& kept
     Profile profile = load_profile(source, kind, key, made.corrections);
     all.profile_milliseconds += stopwatch.milliseconds();
     made.surface = surface_of(profile, source);
-    made.likely = profile.likely;
+    made.doubt = profile.doubt;
     warn_of_place(*made.surface, source.dimensions, profile.warnings);
     if (!profile.warnings.empty()) {
       made.warnings = std::make_shared<const Warnings>(std::move(profile.warnings));
@@ -263,7 +263,7 @@ std::shared_ptr<const Surface> get_one(RecentSurfaces<Surface, Dimensions>& kept
   if (entry.warnings && is_solved) {
     all.warnings.add({kind, side, source.profile.name, entry.warnings});
   }
-  likely = entry.likely;
+  doubt = entry.doubt;
   return entry.surface;
 }
 
@@ -287,10 +287,10 @@ SceneSurfaces SurfaceCache::get(const Scene& scene) {
         wheels_,
         {wheel, {scene.back_to_back, scene.tape_offset, side.radius}, scene.wheel_placement},
         ProfileKind::wheel, key(&SceneSide::wheel, "wheelset.", "wheel"), which, is_solved,
-        found.likely_wheels, surfaces);
+        found.wheel_doubt, surfaces);
     found.rail = get_one(rails_, {side.rail, scene.track}, ProfileKind::rail,
                          key(&SceneSide::rail, "track.", "rail"), which, is_solved,
-                         found.likely_rails, surfaces);
+                         found.rail_doubt, surfaces);
     if (is_solved || !scene.roll) { // without a roll both wheels are needed
       found.rail->refuse_beyond_slices(scene.along);
     }

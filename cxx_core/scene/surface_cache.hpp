@@ -20,12 +20,12 @@
 namespace wrc {
 
 struct SideSurfaces {
-  using LikelyCurves = NoisyScene::LikelyCurves;
+  using Doubt = NoisyScene::Doubt;
 
   std::shared_ptr<const WheelSurface> wheel;
   std::shared_ptr<const RailSurface> rail; ///< where it is displaced to, left-hand frame
-  LikelyCurves likely_wheels;
-  LikelyCurves likely_rails;
+  Doubt wheel_doubt;
+  Doubt rail_doubt;
 
   [[nodiscard]] WheelAndRail pair() const { return {*wheel, *rail}; }
 };
@@ -56,7 +56,7 @@ public:
     std::shared_ptr<const Surface> surface;
     std::vector<std::string> corrections;
     std::shared_ptr<const Warnings> warnings; ///< none: NULL
-    NoisyScene::LikelyCurves likely;
+    NoisyScene::Doubt doubt;
   };
 
   template <class Make> Entry get(const SurfaceSource<Dimensions>& source, Make&& make) {

@@ -222,11 +222,11 @@ bool is_count(const std::string& name) {
                      [&name](const char* count) { return name.ends_with(count); });
 }
 
-/// Whether a profile's noise leaves results uncertain.
+/// Whether what is measured of profiles leaves results uncertain.
 bool is_noisy(const Scene& scene) {
   const auto sides = sides_of(scene);
   return std::any_of(sides.begin(), sides.end(), [&scene](const std::string& side) {
-    return scene.has_number(side + ".spread.pmax");
+    return scene.number_or(side + ".spread.pmax", 0.0) > 0.0;
   });
 }
 
@@ -235,11 +235,11 @@ void add_solution(const Scene& scene, SideTable& table) {
   table.count("patches", "patches");
   table.line("pmax", "MPa", "pmax", 2);
   if (is_noisy(scene)) {
-    table.line("  uncertain by noise, +-", "MPa", "spread.pmax", 2);
+    table.line("  uncertain, +-", "MPa", "spread.pmax", 2);
   }
   table.line("area", "mm2", "area", 2);
   if (is_noisy(scene)) {
-    table.line("  uncertain by noise, +-", "mm2", "spread.area", 2);
+    table.line("  uncertain, +-", "mm2", "spread.area", 2);
   }
   table.line("normal force", "N", "normal_force", 1);
   if (has_creep_forces(scene)) {

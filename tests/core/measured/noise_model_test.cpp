@@ -21,20 +21,17 @@ double shape(double arc) {
 }
 
 OffsetData sample(const Noise& noise) {
-  NormalSource normal(noise.seed);
   OffsetData data;
-  const double tie = noise.correlation > 0.0 ? std::exp(-noise.spacing / noise.correlation) : 0.0;
-  double value = normal();
-  for (double arc = 0.0; arc <= length; arc += noise.spacing) {
-    value = tie * value + std::sqrt(1.0 - tie * tie) * normal();
+  for (double arc = 0.0; arc <= length; arc += noise.spacing)
     data.arc.push_back(arc);
-    data.offset.push_back(shape(arc) + noise.deviation * value);
-  }
+  data.offset = noise_values(noise, noise.spacing, static_cast<int>(data.arc.size()));
+  for (std::size_t i = 0; i < data.arc.size(); ++i)
+    data.offset[i] += shape(data.arc[i]);
   data.weight.assign(data.arc.size(), 1.0);
   return data;
 }
 
-NoiseFit fit_of(const OffsetData& data) {
+NoiseFit fit_of(OffsetData data) {
   const SplineBasis basis{length, 400};
   return fit_noise(basis, data, std::vector<double>(basis.intervals + 1, 0.0));
 }
@@ -54,15 +51,28 @@ TEST(NoiseModel, FindsTheLevelAtAnySpacing) {
     const NoiseFit fit = fit_of(sample({0.02, spacing, 0.0, 3}));
     // A deviation of n numbers is known to 1 / sqrt(2 n), here 7 % at most; twice that.
     EXPECT_NEAR(fit.deviation, 0.02, 0.02 * 0.14) << spacing;
-    EXPECT_EQ(fit.correlation, 0.0) << spacing;
+    EXPECT_EQ(fit.distance, 0.0) << spacing;
   }
 }
 
-TEST(NoiseModel, FindsACorrelation) {
-  const NoiseFit fit = fit_of(sample({0.02, 0.1, 0.6, 5}));
-  EXPECT_GE(fit.correlation, 0.3);
-  EXPECT_LE(fit.correlation, 1.2);
+/// Of filtered noise neighbours seem to be a line; points that are far enough apart show it.
+TEST(NoiseModel, FindsFilteredNoiseAtADistance) {
+  Noise noise{0.02, 0.25, 0.0, 5};
+  noise.width = 0.35;
+  const OffsetData data = sample(noise);
+  const SplineBasis basis{length, 400};
+  const std::vector<double> straight(basis.intervals + 1, 0.0);
+  EXPECT_LT(fit_of(data).deviation, 0.002);
+  const NoiseFit fit = fit_apart(basis, data, straight, 1.0);
   EXPECT_NEAR(fit.deviation, 0.02, 0.006);
+  EXPECT_LT(fit.correlation, 0.3);
+  const NoiseFit again = fit_again(basis, data, straight, fit);
+  EXPECT_EQ(again.distance, 1.0);
+  EXPECT_LT(rms_error(again, 5.0, 40.0), 0.5 * 0.02);
+  const std::vector<double> alike{1.0, 1.0, 1.0, 1.0};
+  const std::vector<double> by_turns{1.0, -1.0, 1.0, -1.0};
+  EXPECT_NEAR(correlation_of(alike), 1.0, 1e-12);
+  EXPECT_NEAR(correlation_of(by_turns), -1.0, 1e-12);
 }
 
 /// Half of the noise is left at most where the line is straight, and the arc is kept.

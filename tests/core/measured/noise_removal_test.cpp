@@ -105,6 +105,27 @@ TEST(NoiseRemoval, LikelyLinesScatterAsTheResult) {
   EXPECT_LT(off_likely, 3.0 * off_truth);
 }
 
+/// An instrument's filter: curvatures of the tread would be off by 0.02 by the points themselves.
+TEST(NoiseRemoval, FindsFilteredNoise) {
+  for (const double cutoff : {0.8, 2.5}) {
+    Noise noise{0.02, 0.25, 0.0, 1};
+    noise.cutoff = cutoff;
+    const std::vector<Position> points = noisy_points(wheel(), noise);
+    const NoiseRemoval found = remove_noise(points);
+    EXPECT_GE(found.distance, 0.5) << cutoff;
+    EXPECT_LT(errors_of(curve_through(found.points)).curvature, 0.004) << cutoff;
+    const NoiseRemoval stated = remove_noise(points, cutoff);
+    EXPECT_EQ(stated.distance, cutoff == 2.5 ? 1.25 : 0.4);
+    EXPECT_LT(errors_of(curve_through(stated.points)).curvature, 0.004) << cutoff;
+  }
+}
+
+/// The points of independent noise are all used.
+TEST(NoiseRemoval, IndependentNoiseIsNotTakenForFiltered) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed)
+    EXPECT_EQ(remove_noise(noisy_points(wheel(), {0.01, 0.25, 0.0, seed})).distance, 0.0);
+}
+
 TEST(NoiseRemoval, IsTheSameEachTime) {
   const std::vector<Position> points = noisy_points(wheel(), {0.02, 0.5, 0.0, 1});
   const NoiseRemoval first = remove_noise(points);
