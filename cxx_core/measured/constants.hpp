@@ -222,10 +222,6 @@ inline constexpr std::size_t likely_lines = 10;
 /// third is left at 1 mm, which the fit finds. From 1.5 mm on waves of worn wheels are such noise,
 /// too: of 0.008 mm for one of them, of 0.0002 mm at 1 mm.
 inline constexpr std::array filter_distances{0.5, 0.7, 1.0};
-/// The same over the cut-off of a Gaussian filter.
-/// origin: derived: filtered noise has a correlation of exp(-7.1 (distance / cut-off)^2) with
-/// the weights of ISO 16610-21, 0.17 there.
-inline constexpr double distance_of_cutoff = 0.5;
 /// A distance that leaves out points is this many of theirs.
 /// origin: bound: below it every second point or none is left out.
 inline constexpr double spacing_ratio = 1.5;

@@ -157,20 +157,13 @@ private:
 };
 
 /// The noise of the points, which an instrument may have filtered.
-NoiseFit first_fit(Offsets& offsets, double cutoff) {
-  const auto apart = [&](double distance) {
-    return fit_apart(offsets.basis, offsets.data, offsets.curvature, distance);
-  };
+NoiseFit first_fit(Offsets& offsets) {
   NoiseFit fit = fit_noise(offsets.basis, offsets.data, offsets.curvature);
   const double spacing = offsets.basis.length / static_cast<double>(offsets.data.arc.size());
-  if (cutoff > 0.0) {
-    const double distance = distance_of_cutoff * cutoff;
-    return distance > spacing_ratio * spacing ? apart(distance) : fit;
-  }
   double correlation = correlation_of(fit.residuals(offsets.data));
   for (const double distance : filter_distances) {
     if (distance > spacing_ratio * spacing) {
-      NoiseFit next = apart(distance);
+      NoiseFit next = fit_apart(offsets.basis, offsets.data, offsets.curvature, distance);
       if (next.repetition < most_repetition &&
           (correlation > 0.0 || next.deviation > more_noise * fit.deviation) &&
           flattening * next.deviation > notable_pressure * distance) {
@@ -184,15 +177,15 @@ NoiseFit first_fit(Offsets& offsets, double cutoff) {
 
 } // namespace
 
-NoiseRemoval remove_noise(std::span<const Position> all, double cutoff) {
+NoiseRemoval remove_noise(std::span<const Position> all) {
   const std::span<const Position> points = without_lone_ends(all);
   const std::vector<Position> smoothed = smooth_points(points, reference_wavelength);
   std::vector<Position> thinned = smoothed;
   reading::drop_close_points(thinned, reference_spacing);
   const Curve first = curve_through(thinned);
   Offsets from_first = offsets_from(first, points, smoothed);
-  const NoiseFit rough = fit_again(from_first.basis, from_first.data, from_first.curvature,
-                                   first_fit(from_first, cutoff));
+  const NoiseFit rough =
+      fit_again(from_first.basis, from_first.data, from_first.curvature, first_fit(from_first));
 
   const auto line = [](const Curve& reference, const NoiseFit& fit) {
     auto found = line_of(reference, fit.basis, fit.coefficients);

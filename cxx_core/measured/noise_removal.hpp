@@ -26,8 +26,7 @@ struct NoiseRemoval {
   double long_wave = 0.0;
 };
 
-/// Points in the order of profile.hpp. `cutoff`: of the filter that the instrument had, mm; 0: as
-/// the points say. Throws Error for points that a curve cannot join.
-NoiseRemoval remove_noise(std::span<const Position> points, double cutoff = 0.0);
+/// Points in the order of profile.hpp. Throws Error for points that a curve cannot join.
+NoiseRemoval remove_noise(std::span<const Position> points);
 
 } // namespace wrc

@@ -142,8 +142,11 @@ void join(Profile& profile, const ReadOptions& options, Log& log) {
   try {
     const std::optional<NoiseRemoval> clean = noise_removed_from(profile.points);
     std::shared_ptr<ProfileDoubt> doubt;
-    if (clean) { // waves that several points agree upon are no noise
-      scatter = reading::scatter_of(profile.points, clean->deviation, clean->distance);
+    if (clean) {
+      // Waves that several points agree upon are no noise that is independent.
+      if (clean->distance > 0.0 || scatter.matters()) {
+        scatter = reading::scatter_of(profile.points, clean->deviation, clean->distance);
+      }
       const bool is_white = scatter.matters() && clean->distance == 0.0;
       doubt = std::make_shared<ProfileDoubt>(ProfileDoubt{
           {}, curves_through(clean->likely), smoothed_curves(profile.points), !is_white});
