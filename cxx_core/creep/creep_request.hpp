@@ -21,6 +21,7 @@ struct CreepRequest {
   Creepages creepages;            ///< at the reference of each patch, track frame; or
   std::optional<Motion> motion;   ///< what they follow from instead, track frame
   double nominal_radius = 0.0;    ///< mm, for the motion
+  RailDisplacement rail_slope{};  ///< WheelsetMotion
   RailDisplacement rail_velocity; ///< mm/s and rad/s, for the motion, track frame
   SlipChoice slip;                ///< from the motion
   /// A step of time from these displacements, s, of the full theory from the motion; 0: steady.

@@ -35,7 +35,8 @@ WheelsetMotion wheelset_motion(const WheelResult& wheel, const CreepRequest& req
           rail.origin_y(),
           rail.origin_z(),
           !request.motion->vertical_is_given &&
-              !wheel.details.pair().is_prismatic_along(along_track)};
+              !wheel.details.pair().is_prismatic_along(along_track),
+          frame.mirrored(request.rail_slope)};
 }
 
 void find_slip_geometry(WheelResult& wheel, const CreepRequest& request) {

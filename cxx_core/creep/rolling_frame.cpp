@@ -68,6 +68,9 @@ Motion RollingFrame::mirrored(const Motion& motion) const {
   other.roll = mirror() * motion.roll;
   other.yaw = mirror() * motion.yaw;
   other.curvature = mirror() * motion.curvature;
+  for (const std::size_t turning : {1, 3, 5}) { // lateral, roll, yaw
+    other.acceleration[turning] = mirror() * motion.acceleration[turning];
+  }
   return other;
 }
 

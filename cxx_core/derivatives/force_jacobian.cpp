@@ -173,6 +173,16 @@ void add_normal_forces(ForceJacobian& jacobian, const ForceRates& rates) {
 
 } // namespace
 
+std::array<RatedByState, 4> rated_creep_forces(const WheelResult& wheel, const PatchResult& patch,
+                                               const PatchRates& rates) {
+  const WheelDetails& details = wheel.details;
+  const Vector3 centre{0.0, details.pose.lateral, details.vertical};
+  return rated_creep_forces(*patch.creep, RollingFrame(details.mirror), rates,
+                            creep_state_of(*patch.creep, details,
+                                           moving_frame(patch, rates, centre, details.pose),
+                                           rated_geometry(patch)));
+}
+
 bool jacobian_is_known(const WheelResult& wheel) {
   return std::ranges::all_of(solved_patches(wheel), [](const PatchResult* patch) {
     return !patch->creep || patch->creep->derivatives || !(patch->normal_force > 0.0);

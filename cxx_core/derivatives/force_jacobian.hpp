@@ -16,10 +16,15 @@
 /// of it by tangential forces of an unknown pitch rate.
 #pragma once
 
+#include <array>
+
+#include "creep/kinematics.hpp"
 #include "records/motion.hpp"
 
 namespace wrc {
 
+struct PatchRates;
+struct PatchResult;
 struct WheelRates;
 struct WheelResult;
 
@@ -30,5 +35,10 @@ bool jacobian_is_known(const WheelResult& wheel);
 /// The Jacobian of a wheel for which jacobian_is_known() holds, with the rates of its normal
 /// forces. Prescribed creepages stay fixed.
 ForceJacobian jacobian_of(const WheelResult& wheel, const WheelRates& rates);
+
+/// Longitudinal and lateral creep force, spin moment and force along the normal beyond creepages of
+/// a patch with derivatives, with their rates; left-hand frame of the side.
+std::array<RatedByState, 4> rated_creep_forces(const WheelResult& wheel, const PatchResult& patch,
+                                               const PatchRates& rates);
 
 } // namespace wrc

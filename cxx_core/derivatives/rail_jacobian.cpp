@@ -16,7 +16,8 @@ double& at(State& state, StateVariable variable) {
   return state[static_cast<std::size_t>(variable)];
 }
 
-/// The wheelset's motions that do what the rail's do, left-hand frame of the side.
+} // namespace
+
 std::array<State, rail_state_count> opposite_motions(const WheelDetails& details) {
   const Pose& pose = details.pose;
   const double across = pose.lateral - details.rail->origin_y();
@@ -49,8 +50,6 @@ std::array<State, rail_state_count> opposite_motions(const WheelDetails& details
   }
   return motions;
 }
-
-} // namespace
 
 RailJacobian rail_jacobian_of(const WheelResult& wheel, const ForceJacobian& jacobian) {
   const double m = wheel.details.mirror;

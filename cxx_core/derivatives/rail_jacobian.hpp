@@ -23,11 +23,17 @@
 
 namespace wrc {
 
+struct WheelDetails;
 struct WheelResult;
 
 constexpr std::size_t rail_state_count = 6; // not a tuning constant
 /// Rows Fx, Fy, Fz, Mx, My, Mz; columns lateral displacement, height, roll, and their rates.
 using RailJacobian = std::array<std::array<double, rail_state_count>, 6>;
+
+/// The wheelset's rates of positions and velocities that do what unit rates of the rail's lateral
+/// displacement, height and roll, and of their rates, do; left-hand frame of the side.
+std::array<std::array<double, state_count>, rail_state_count>
+opposite_motions(const WheelDetails& details);
 
 /// From the Jacobian of the wheel (SceneWheel::jacobian).
 RailJacobian rail_jacobian_of(const WheelResult& wheel, const ForceJacobian& jacobian);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
@@ -64,15 +65,16 @@ template <class Value> auto place_of(SceneSide Scene::*side, Value SceneSide::*m
 
 using Three = std::array<double, 3>;
 
-/// Three numbers, each with a limit of its magnitude; `get` and `set` have them in mm, y left, z
-/// up.
-template <class Get, class Set>
-Key three_key(KeyDescription description, const Three& limits,
-              const std::array<Dimension, 3>& dimensions_of, Get get, Set set) {
+/// A list of numbers, each with a limit of its magnitude; `get` and `set` have them in mm, y left,
+/// z up.
+template <std::size_t count, class Get, class Set>
+Key list_key(KeyDescription description, const std::array<double, count>& limits,
+             const std::array<Dimension, count>& dimensions_of, Get get, Set set) {
+  using List = std::array<double, count>;
   Key key;
   key.description = description;
   key.get = [dimensions_of, get](const Scene& scene) {
-    const std::optional<Three> inside = get(scene);
+    const std::optional<List> inside = get(scene);
     if (!inside) {
       return KeyValue(std::string("none"));
     }
@@ -83,7 +85,7 @@ Key three_key(KeyDescription description, const Three& limits,
     return KeyValue(values);
   };
   key.set_numbers = [limits, dimensions_of, set](Scene& scene, std::span<const double> values) {
-    Three inside{};
+    List inside{};
     if (values.size() != inside.size()) {
       return false;
     }
@@ -97,6 +99,12 @@ Key three_key(KeyDescription description, const Three& limits,
     return true;
   };
   return key;
+}
+
+template <class Get, class Set>
+Key three_key(KeyDescription description, const Three& limits,
+              const std::array<Dimension, 3>& dimensions_of, Get get, Set set) {
+  return list_key(description, limits, dimensions_of, get, set);
 }
 
 /// A word for each value of an enumeration.

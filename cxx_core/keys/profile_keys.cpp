@@ -99,6 +99,7 @@ Key smoothing_key(const Smoothing& smoothing, std::string_view name, std::string
 struct RailMoves {
   std::string_view allowed;
   Three limits;
+  std::array<Dimension, 3> dimensions_of{turning_length, turning_length, pure};
 };
 
 constexpr RailMoves displacements{
@@ -106,12 +107,14 @@ constexpr RailMoves displacements{
 constexpr RailMoves velocities{
     "[lateral, vertical, roll], each -1e6 to 1e6 mm/s, the roll -1e3 to 1e3 rad/s",
     {1e6, 1e6, 1e3}};
+constexpr RailMoves slopes{"[lateral, vertical, roll], each -1 to 1, the roll -0.01 to 0.01 rad/mm",
+                           {1.0, 1.0, 0.01},
+                           {turning, turning, stiffness}};
 
 Key rail_key(std::string_view name, const RailMoves& moves, std::string_view meaning,
              SceneSide Scene::*side, RailDisplacement SceneSide::*member) {
   return three_key(
-      {name, "[0.0, 0.0, 0.0]", moves.allowed, meaning}, moves.limits,
-      {turning_length, turning_length, pure},
+      {name, "[0.0, 0.0, 0.0]", moves.allowed, meaning}, moves.limits, moves.dimensions_of,
       [side, member](const Scene& scene) -> std::optional<Three> {
         const RailDisplacement& moved = (scene.*side).*member;
         return Three{moved.lateral, moved.height, moved.roll};
@@ -282,6 +285,10 @@ std::vector<Key> make_track_keys() {
   moves("track.left.velocity", velocities,
         "velocity of the left rail on flexible track; affects creepages from motion.*",
         &Scene::left, &SceneSide::velocity);
+  moves("track.left.slope", slopes,
+        "change of track.left.displacement along the track, of irregularities; with "
+        "solve.derivatives creep_steady_error depends on it, forces do not",
+        &Scene::left, &SceneSide::slope);
   rail("track.right.rail", "profile of the right rail", {&Scene::right});
   smoothing("track.right.rail_smoothing",
             "smoothing wavelength of the right rail's profile, if it is read from a file",
@@ -290,6 +297,8 @@ std::vector<Key> make_track_keys() {
         &SceneSide::displacement);
   moves("track.right.velocity", velocities, "velocity of the right rail", &Scene::right,
         &SceneSide::velocity);
+  moves("track.right.slope", slopes, "change of track.right.displacement along the track",
+        &Scene::right, &SceneSide::slope);
   return keys;
 }
 

@@ -308,6 +308,27 @@ Key vertical_key() {
   return key;
 }
 
+Key acceleration_key() {
+  using Six = std::array<double, 6>;
+  constexpr double most = 1e9;
+  return list_key<6>(
+      {"motion.acceleration", "[0.0, 0.0, 0.0, 0.0, 0.0, 0.0]",
+       "[along the track, lateral, vertical, roll, pitch, yaw], each -1e9 to 1e9 mm/s^2 or rad/s^2",
+       "rates of the velocities of motion.*; forces do not depend on them, but with "
+       "solve.derivatives creep_steady_error does, the error of steady creep forces where they "
+       "change along the path"},
+      {most, most, most, most, most, most},
+      {length, turning_length, turning_length, pure, pure, turning},
+      [](const Scene& scene) -> std::optional<Six> {
+        return scene.motion ? scene.motion->acceleration : Six{};
+      },
+      [](Scene& scene, const Six& values) {
+        if (scene.motion || values != Six{}) { // at rest by itself does not move
+          motion_of(scene).acceleration = values;
+        }
+      });
+}
+
 constexpr std::string_view speed_range = "-1e6 to 1e6 mm/s, or \"none\"";
 constexpr std::string_view rate_range = "-1e3 to 1e3 rad/s, or \"none\"";
 constexpr std::string_view creepage_range = "-10 to 10, or \"none\"";
@@ -348,6 +369,7 @@ std::vector<Key> make_rolling_keys() {
       motion_key("motion.curvature", "-1e-3 to 1e-3 1/mm, or \"none\"",
                  "curvature of the track, positive in left-hand curves", 1e-3, turning_curvature,
                  &Motion::curvature),
+      acceleration_key(),
       number_key({"motion.standstill_speed", "1.0", "1e-3 to 1e5 mm/s",
                   "V0: creepages are slip velocities over (V^2 + V0^2)^(1/2), so that creep forces "
                   "go to 0 with the velocities; at standstill friction saturates at a sliding "

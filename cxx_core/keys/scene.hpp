@@ -61,6 +61,7 @@ struct SceneSide {
   ProfileChoice rail{"60E1"};
   RailDisplacement displacement; ///< of the rail, track frame
   RailDisplacement velocity;     ///< of the rail, mm/s and rad/s
+  RailDisplacement slope;        ///< change of its displacement along the track, 1 and rad/mm
   double load = 80000.0;         ///< vertical force on the wheel, of the normal pressures
   /// Instead: all of it, creep forces included (scene/total_load.hpp).
   std::optional<double> total_load;

@@ -67,7 +67,7 @@ std::vector<Row> make_rows() {
       [](const Scene& s) { return has_load(s) && !s.right.total_load; });
 
   add({"motion.pitch", "motion.torque", "motion.lateral", "motion.vertical", "motion.roll",
-       "motion.yaw", "motion.curvature", "motion.standstill_speed"},
+       "motion.yaw", "motion.curvature", "motion.acceleration", "motion.standstill_speed"},
       {"creepage.longitudinal", "creepage.lateral", "creepage.spin", "creepage.left",
        "creepage.right"},
       [](const Scene& s) { return s.has_creepages(); });

@@ -72,6 +72,9 @@ struct CreepResult {
   double numerical_loss = 0.0; ///< fraction of it lost by discretisation
   /// error of forces over mu N; of the full theory only
   std::optional<double> error_estimate;
+  /// Likewise, of steady rolling where forces change along the path (derivatives/steady_error.hpp);
+  /// none if their rates are not known.
+  std::optional<double> steady_error;
   /// What tractions change in the pressures, mean over mean; of unlike bodies.
   double pressure_change = 0.0;
   /// What the slip beyond creepages adds to force and moment, N and N mm, left-hand frame:

@@ -27,6 +27,9 @@ struct Motion {
   double curvature = 0.0; ///< kappa, 1/mm
   /// V_0, mm/s, > 0 (creep/kinematics.hpp). At 1 m/s the default changes creepages by 5e-7.
   double standstill_speed = 1.0;
+  /// Rates of the velocities: along the track, lateral, vertical, roll, pitch, yaw; mm/s^2,
+  /// rad/s^2. Forces do not depend on them, but how these change along the path does.
+  std::array<double, 6> acceleration{};
 };
 
 /// A wheelset that moves: what is the same for all patches of a wheel.
@@ -41,6 +44,8 @@ struct WheelsetMotion {
   /// Whether the wheel's vertical velocity is that at which contact neither closes nor opens
   /// (creep/kinematics.hpp).
   bool follows_surface = false;
+  /// Change of the rail's displacement along the track, 1 and rad/mm: irregularities.
+  RailDisplacement rail_slope{};
 
   [[nodiscard]] double pitch_rate() const {
     return motion.pitch.value_or(motion.speed / nominal_radius);

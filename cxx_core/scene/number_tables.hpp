@@ -6,11 +6,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "derivatives/steady_error.hpp"
 #include "pressure/contact_area.hpp"
 #include "results/grade.hpp"
 #include "scene/damage_tables.hpp"
@@ -123,6 +125,13 @@ inline constexpr std::array patch_numbers{
             member<&PatchResult::grid, &Grid::longitudinal_step>},
 };
 
+/// Of elements and of steady rolling together, which are independent.
+inline std::optional<double> creep_error_of(const CreepResult& creep) {
+  return creep.error_estimate && creep.steady_error
+             ? std::optional(std::hypot(*creep.error_estimate, *creep.steady_error))
+             : creep.error_estimate;
+}
+
 /// With creep forces only.
 inline constexpr auto creep_numbers = joined(
     std::array{
@@ -151,7 +160,9 @@ inline constexpr auto creep_numbers = joined(
                 member<&CreepResult::grid, &Grid::lateral_step>},
         OfCreep{"creep_element_size.longitudinal", length,
                 member<&CreepResult::grid, &Grid::longitudinal_step>},
-        OfCreep{"creep_error_estimate", pure, member<&CreepResult::error_estimate>}},
+        OfCreep{"creep_error_estimate", pure,
+                [](const CreepResult& r) { return creep_error_of(r); }},
+        OfCreep{"creep_steady_error", pure, member<&CreepResult::steady_error>}},
     creep_rate_numbers);
 
 /// Zeros without one.
@@ -227,6 +238,7 @@ inline constexpr std::array side_numbers{
     OfWheel{"error_estimate", pure, member<&WheelResult::error_estimate>},
     OfWheel{"discretisation_error", pure, member<&WheelResult::discretisation_error>},
     OfWheel{"model_error", pure, member<&WheelResult::model_error>},
+    OfWheel{"creep_steady_error", pure, [](const WheelResult& r) { return steady_error_of(r); }},
     OfWheel{"validity", pure, member<&WheelResult::validity>},
     OfWheel{"warning_count", pure, [](const WheelResult& r) { return r.warnings.size(); }},
     OfWheel{"grade", pure,

@@ -272,6 +272,7 @@ contains
       print '(a, f0.4)', 'mean error by the table           ', vehicle%error_sum/vehicle%tabled
       print '(a, f0.4)', 'largest error by the table        ', vehicle%worst_error
     end if
+    if (vehicle%steady_error > 0) print '(a, f0.4)', 'largest error of steady creep forces ', vehicle%steady_error
     print '(a, f0.1)', 'microseconds per step     ', 1.0e6_real64*taken/max(1, steps)
     print '(a, f0.3)', 'wall over simulated time  ', taken/(h*max(1, steps))
     print '(a, f0.3)', 'processor over simulated time ', processor/(h*max(1, steps))

@@ -45,6 +45,8 @@ module coach_model
     real(real64) :: speed = 40, acceleration = 0, acceleration_time = huge(1.0_real64) !< of the locomotive
     logical :: by_differences = .false. !< Jacobians
     integer :: evaluations = 0 !< of the contact of all wheelsets
+    real(real64) :: rate(n) = 0 !< accelerations found last
+    real(real64) :: steady_error = 0 !< largest estimate for steady creep forces, of evaluations with derivatives
     real(real64) :: height = 0 !< of the wheelsets' centres above the rail tops in the static state
     type(suspension) :: springs
     real(real64) :: inverse_mass(n) = 0
@@ -123,6 +125,7 @@ contains
       force(at + 2) = force(at + 2) - axle_load
     end do
     a = self%inverse_mass*force
+    self%rate = a
     if (present(by_p)) call assemble_jacobian(self, speed_at(self, t), v, laid, contact_by_p, contact_by_v, &
       by_p, by_v)
   end subroutine accelerations
@@ -222,9 +225,12 @@ contains
       rails(:, :, i) = rails_at(self%line, distance_at(self, t) + places(wheelsets(i)) - places(wheelsets(1)))
     end do
     if (present(by_p)) allocate (dfdq(6, 6, 2, 4), dfdv(6, 6, 2, 4))
+    if (present(by_p)) call set_rates(self, t)
     call step_all(self, q, dq, rails, [(here(wheelsets(i))%curvature*cos(here(wheelsets(i))%cant), i=1, 4)], &
       failed, dfdq, dfdv)
     if (failed) return
+    if (present(by_p) .and. .not. (self%by_table .or. self%by_differences)) self%steady_error = &
+      max(self%steady_error, largest_steady_error(self))
     do i = 1, 4
       total = sum(self%forces(:, :, i), dim=2)
       onto = work_per_motion(q(:, i))
@@ -236,6 +242,37 @@ contains
       by_p(5, [4, 6], i) = by_p(5, [4, 6], i) + [total(6), -total(4)]
     end do
   end subroutine contact_loads
+
+  !> How fast the track and the velocities change, from which the library finds the error of steady creep forces.
+  subroutine set_rates(self, t)
+    type(coach), intent(inout) :: self
+    real(real64), intent(in) :: t
+    real(real64), parameter :: ahead = 0.01_real64
+    real(real64) :: s, slopes(3, 2)
+    integer :: i, at
+    do i = 1, 4
+      at = first_of(wheelsets(i))
+      s = distance_at(self, t) + places(wheelsets(i)) - places(wheelsets(1))
+      slopes = (rails_at(self%line, s + ahead) - rails_at(self%line, s - ahead))/(2*ahead)
+      call self%scenes(i)%set('track.left.slope', slopes(:, 1))
+      call self%scenes(i)%set('track.right.slope', slopes(:, 2))
+      call self%scenes(i)%set('motion.acceleration', self%rate(at:at + 5))
+    end do
+  end subroutine set_rates
+
+  !> Over friction times load, of wheels in contact.
+  real(real64) function largest_steady_error(self)
+    type(coach), intent(in) :: self
+    real(real64) :: error
+    integer :: i, side, stat
+    largest_steady_error = 0
+    do i = 1, 4
+      do side = 1, 2
+        error = self%scenes(i)%number(trim(merge('left ', 'right', side == 1))//'.creep_steady_error', stat)
+        if (stat == wrc_ok) largest_steady_error = max(largest_steady_error, error)
+      end do
+    end do
+  end function largest_steady_error
 
   !> One step of each wheelset, with derivatives by the library or by differences if there is room for them.
   subroutine step_all(self, q, dq, rails, curvatures, failed, dfdq, dfdv)

@@ -148,6 +148,9 @@ CASES = {
     "pressure": Case("is more than steel can carry", {"pose.lateral": 6.5, **QUICK, **LEFT}),
     "creep_accuracy": Case("creep forces: accuracy 0.001 not reached", {
         "creepage.longitudinal": 0.001, "solve.element_limit": 1000, **LEFT}),
+    "steady_forces": Case("creep forces change within a few contact lengths", {
+        "motion.speed": 2e4, "motion.pitch": 43.6, "motion.vertical": 100, "pose.vertical": 459.75,
+        "solve.derivatives": "yes", "solve.accuracy": 0.01, **LEFT}),
     "unlike_materials": Case("creep forces of unlike materials", {
         "creepage.longitudinal": 0.001, "material.rail.youngs_modulus": 70000,
         "solve.creep": "linear", **LEFT, **QUICK}),

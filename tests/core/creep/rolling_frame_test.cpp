@@ -215,7 +215,8 @@ TEST_P(Frames, JacobiansFollowFromThoseOfForcesAndStates) {
                                               .vertical = 1.0,
                                               .roll = 1.0,
                                               .yaw = 1.0,
-                                              .curvature = 1.0});
+                                              .curvature = 1.0,
+                                              .acceleration = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0}});
   const Pose pose = right() ? wrc::mirrored(Pose{1.0, 1.0, 1.0}) : Pose{1.0, 1.0, 1.0};
   const std::array<double, state_count> states{
       pose.lateral,    1.0,         pose.roll,     pose.yaw,  motion.speed, motion.lateral,
@@ -230,6 +231,8 @@ TEST_P(Frames, JacobiansFollowFromThoseOfForcesAndStates) {
     }
   }
   EXPECT_EQ(motion.curvature, motion.yaw);
+  EXPECT_EQ(motion.acceleration, (std::array{motion.speed, motion.lateral, motion.vertical,
+                                             motion.roll, *motion.pitch, motion.yaw}));
   const RailDisplacement rail = frame.mirrored(RailDisplacement{1.0, 1.0, 1.0});
   EXPECT_EQ(rail.lateral, motion.lateral);
   EXPECT_EQ(rail.height, 1.0);

@@ -49,7 +49,7 @@ TEST(SceneKeys, EveryKeyRefusesForbiddenValuesAndNamesAllowedOnes) {
     const std::string text =
         error_text([&] { set_text(scene, key.name, ""); }, ErrorCode::invalid_argument);
     EXPECT_NE(text.find(key.allowed), std::string::npos) << text;
-    const std::array<double, 5> five{1.0, 2.0, 3.0, 4.0, 5.0}; // more than any list has
+    const std::array<double, 5> five{1.0, 2.0, 3.0, 4.0, 5.0}; // no list has as many
     error_text([&] { set_numbers(scene, key.name, five); }, ErrorCode::invalid_argument);
   }
 }
