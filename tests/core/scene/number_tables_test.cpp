@@ -54,7 +54,7 @@ TEST(NumberTables, AbsentNumbersAreNotANumber) {
     EXPECT_EQ(std::isnan(number.value(creep)), !number.always) << number.name;
     optional += number.always ? 0U : 1U;
   }
-  EXPECT_EQ(optional, 1U + creep_rate_numbers.size()) << "the error estimate and derivatives";
+  EXPECT_EQ(optional, 2U + creep_rate_numbers.size()) << "error estimates and derivatives";
   for (const auto& number : damage_numbers) {
     EXPECT_FALSE(number.always) << number.name;
     EXPECT_TRUE(std::isnan(number.value(damage))) << number.name;
