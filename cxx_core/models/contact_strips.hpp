@@ -6,12 +6,12 @@
 /// profile, m' its derivative, and t the locus' angle, a sin t - b cos t = c(m) gives
 /// dt/ds = c'/(a cos t + b sin t), and from it how the locus moves and turns along the profile.
 /// Elsewhere the contact search has found the least gaps d of rows 0.5 mm apart
-/// (geometry/varying_search.hpp). Strips between them are cubics through four rows, but for their
-/// curvature along the rail, which is linear between two and so positive. With the rail's slopes p
-/// along and q across, L^2 = 1 + p^2 and N^2 = 1 + p^2 + q^2, a length along the plane across is dY
-/// = N/L dy, and the curvature across d''(y) L^2/N^3. Lowering the wheel changes the gap of every
-/// strip by as much, so a depth needs no new strips. Units mm and rad; track frame, left-hand side;
-/// curvatures in 1/mm. Thread rule: immutable.
+/// (geometry/varying_search.hpp). Strips between them are cubics through four rows, except for
+/// their curvature along the rail, which is linear between two and so positive. With the rail's
+/// slopes p along and q across, L^2 = 1 + p^2 and N^2 = 1 + p^2 + q^2, a length along the plane
+/// across is dY = N/L dy, and the curvature across d''(y) L^2/N^3. Lowering the wheel changes the
+/// gap of every strip by as much, so a depth needs no new strips. Units mm and rad; track frame,
+/// left-hand side; curvatures in 1/mm. Thread rule: immutable.
 #pragma once
 
 #include <optional>

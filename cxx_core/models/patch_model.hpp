@@ -19,9 +19,9 @@
 ///   length about the same centre, at the strips and at both ends;
 ///   both, of profiles that vary: |gap - kappa x^2/2| over kappa a^2/2 along the rail through the
 ///   deepest point, within the length a of contact, or of virtual penetration, to each side.
-/// 0 if several regions make up the patch, of which models know only that of the deepest point where
-/// it is of several scans (both ends of a flat or of a gap), or if contact ends at the end of a
-/// profile or at the border to a neighbour; times 1 - coupling weight to that neighbour, since
+/// 0 if several regions make up the patch, of which models know only that of the deepest point
+/// where it is of several scans (both ends of a flat or of a gap), or if contact ends at the end of
+/// a profile or at the border to a neighbour; times 1 - coupling weight to that neighbour, since
 /// models do not couple patches. Units mm, N, MPa, rad; left-hand frame of the side. Thread rule:
 /// one object, one thread.
 #pragma once

@@ -313,7 +313,7 @@ struct SceneSolver::State {
                     SceneResult& result);
   void solve_contact(const Scene& scene, const SceneSurfaces& surfaces, const ModelChoice& model,
                      const WheelsetEquilibrium& equilibrium, SceneResult& result);
-  void find_steady_errors(const Scene& scene, SceneResult& result);
+  void find_steady_errors(const Scene& scene, const SceneSurfaces& surfaces, SceneResult& result);
   SceneResult solve(const Scene& scene);
 };
 
@@ -380,12 +380,15 @@ void SceneSolver::State::solve_contact(const Scene& scene, const SceneSurfaces& 
 
 /// Of creep forces with derivatives, once everything else is found. Where profiles vary, forces are
 /// solved a little behind on the path as well.
-void SceneSolver::State::find_steady_errors(const Scene& scene, SceneResult& result) {
+void SceneSolver::State::find_steady_errors(const Scene& scene, const SceneSurfaces& surfaces,
+                                            SceneResult& result) {
   if (!scene.derivatives || !scene.motion || scene.motion->speed == 0.0 || scene.history) {
     return;
   }
   std::optional<SceneResult> behind;
-  const double distance = is_prismatic(scene) ? 0.0 : path_step * longest_contact(result);
+  const bool is_prismatic = surfaces.left.pair().is_prismatic_along(along_track) &&
+                            surfaces.right.pair().is_prismatic_along(along_track);
+  const double distance = is_prismatic ? 0.0 : path_step * longest_contact(result);
   if (distance > 0.0) {
     Scene before = scene;
     before.derivatives = false;
@@ -437,7 +440,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   result.model = model.name;
   result.solver = scene.solver;
   solve_contact(scene, surfaces, model, equilibrium, result);
-  find_steady_errors(scene, result);
+  find_steady_errors(scene, surfaces, result);
   keep_noise(scene, surfaces, result);
   result.time.total = total.milliseconds();
   return result;
