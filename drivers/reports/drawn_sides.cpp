@@ -173,7 +173,9 @@ DrawnSide write_side(Gnuplot& gnuplot, const Scene& scene, const std::string& na
     drawn.force_angle = number("angle");
     write_pressure(gnuplot, scene, drawn);
     write_tractions(gnuplot, scene, drawn);
-    if (const double pmax = scene.number(name + ".pmax"); drawn.has_contours && pmax > 0.0) {
+    const double pmax = scene.number(name + ".pmax");
+    drawn.has_contours = drawn.has_contours && pmax > 0.0; // none where an end cuts the contact
+    if (drawn.has_contours) {
       write_contours(gnuplot.script(), drawn, pmax);
     }
   }

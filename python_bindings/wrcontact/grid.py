@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from ._handle import Handle, encoded
 from ._interface import ffi
 from ._library import Array, doubles, lib, pointer, string
-from ._warnings import warn
+from ._warnings import DO_NOT_USE, warn
 from .errors import InvalidArgument, NotConverged, UnknownName
 
 Self = TypeVar("Self", bound="GridContact")
@@ -134,7 +134,7 @@ class NormalContact(GridContact):
     def solve(self: Self) -> Self:
         """As GridContact.solve, with its warnings."""
         super().solve()
-        warn(self.warnings)
+        warn([(DO_NOT_USE, text) for text in self.warnings])
         return self
 
     @property

@@ -1,5 +1,6 @@
 /// Units and frame of a scene, values of keys, the modules one by one, profiles of the program's
 /// own, and the file of a scene.
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -172,12 +173,12 @@ TEST(Inputs, EveryValueCanBeSetAgain) {
     const char* text = nullptr;
     if (wrc_scene_get_number(s, name, &number) == WRC_OK) {
       set(s, {{name, number}});
-    } else if (default_value == std::string("[0.0, 0.0, 0.0]")) {
-      std::vector<double> three(3, 1.0);
-      std::int64_t count = 0;
-      ASSERT_EQ(wrc_scene_get_numbers(s, name, three.data(), 3, &count), WRC_OK) << name;
-      EXPECT_EQ(three, std::vector(3, 0.0)) << name;
-      set(s, {{name, three}});
+    } else if (const std::string list = default_value; list.starts_with("[0.0")) {
+      std::vector<double> values(static_cast<std::size_t>(std::ranges::count(list, ',')) + 1, 1.0);
+      std::int64_t count = std::ssize(values);
+      ASSERT_EQ(wrc_scene_get_numbers(s, name, values.data(), count, &count), WRC_OK) << name;
+      EXPECT_EQ(values, std::vector(values.size(), 0.0)) << name;
+      set(s, {{name, values}});
     } else {
       ASSERT_EQ(wrc_scene_get_text(s, name, &text), WRC_OK) << name;
       const std::string value = text;

@@ -1,4 +1,5 @@
 /// Scenes through the C interface: keys, statuses, and handles that a failure leaves alone.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -116,13 +117,13 @@ TEST(SceneKeys, IndexAndPointersAreChecked) {
   EXPECT_EQ(wrc_scene_key(0, &text, &text, &text, nullptr), WRC_INVALID_ARGUMENT);
 }
 
-/// A default as it is told: a number, a text in quotes, or three zeros.
+/// A default as it is told: a number, a text in quotes, or a list of zeros.
 wrc_status set_default(wrc_scene* scene, const std::string& key, const std::string& value) {
   if (value.starts_with('"')) {
     return wrc_scene_set_text(scene, key.c_str(), value.substr(1, value.size() - 2).c_str());
   }
-  if (value == "[0.0, 0.0, 0.0]") {
-    constexpr std::array<double, 3> zeros{};
+  if (value.starts_with("[0.0")) {
+    const std::vector<double> zeros(static_cast<std::size_t>(std::ranges::count(value, ',')) + 1);
     return wrc_scene_set_numbers(scene, key.c_str(), zeros.data(), zeros.size());
   }
   return wrc_scene_set_number(scene, key.c_str(), std::stod(value));

@@ -366,7 +366,7 @@ TEST_F(WrcCase, RefusesUnknownKeysAndBadValues) {
 TEST_F(WrcCase, KeysWithoutEffectAreWarnedOf) {
   const Outcome outcome =
       run(small + "--set load.vertical=70000 load.normal=80000 --save saved.toml");
-  EXPECT_NE(outcome.out.find("Warning: load.vertical is not used: load.normal is set\n"),
+  EXPECT_NE(outcome.out.find("Note: load.vertical is not used: load.normal is set\n"),
             std::string::npos)
       << outcome.out;
   const json plain = run_json(small + "--set load.normal=80000 --save plain.toml");
