@@ -125,7 +125,8 @@ void WornProfile::wear(double factor) {
 
 Profile WornProfile::profile() const {
   Profile profile;
-  profile.set_points("worn wheel", WRC_WHEEL, now_.lateral, now_.height);
+  constexpr double no_smoothing = 0.0; // points of a curve, which has no noise
+  profile.set_points("worn wheel", WRC_WHEEL, now_.lateral, now_.height, no_smoothing);
   return profile;
 }
 
