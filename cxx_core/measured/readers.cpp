@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <future>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -134,36 +135,54 @@ void report_noise(const reading::Scatter& scatter, const NoiseRemoval* clean, do
   log.advise(WarningClass::profile_noise, text);
 }
 
+/// Waves that several points agree upon are no noise that is independent.
+reading::Scatter scatter_without_waves(std::span<const Position> points,
+                                       const reading::Scatter& scatter,
+                                       const std::optional<NoiseRemoval>& clean) {
+  return clean && (clean->distance > 0.0 || scatter.matters())
+             ? reading::scatter_of(points, clean->deviation, clean->distance)
+             : scatter;
+}
+
+/// What the points leave open.
+ProfileDoubt doubt_of(std::span<const Position> points, const Curve& curve,
+                      const std::optional<NoiseRemoval>& clean) {
+  if (!clean) {
+    return {curve, {}, {}, false};
+  }
+  const reading::Scatter scatter =
+      scatter_without_waves(points, reading::scatter_of(points), clean);
+  const bool is_white = scatter.matters() && clean->distance == 0.0;
+  return {curve, curves_through(clean->likely), smoothed_curves(points), !is_white};
+}
+
 /// Smooths if requested or needed, then joins the points. A fault there is one of the file's
 /// points.
 void join(Profile& profile, const ReadOptions& options, Log& log) {
   const double wavelength = options.smoothing_wavelength.value_or(automatic_smoothing);
   reading::Scatter scatter = reading::scatter_of(profile.points);
   try {
-    const std::optional<NoiseRemoval> clean = noise_removed_from(profile.points);
-    std::shared_ptr<ProfileDoubt> doubt;
-    if (clean) {
-      // Waves that several points agree upon are no noise that is independent.
-      if (clean->distance > 0.0 || scatter.matters()) {
-        scatter = reading::scatter_of(profile.points, clean->deviation, clean->distance);
-      }
-      const bool is_white = scatter.matters() && clean->distance == 0.0;
-      doubt = std::make_shared<ProfileDoubt>(ProfileDoubt{
-          {}, curves_through(clean->likely), smoothed_curves(profile.points), !is_white});
+    const std::vector<Position> points = profile.points;
+    std::optional<NoiseRemoval> clean;
+    if (wavelength != 0.0) {
+      clean = noise_removed_from(points);
+      scatter = scatter_without_waves(points, scatter, clean);
     }
     if (wavelength > 0.0) {
       profile.points = smooth_points(profile.points, wavelength);
       log.note("smoothed, waves of " + text_of(wavelength) + " mm are halved");
-    } else if (clean && wavelength != 0.0 && scatter.matters()) {
+    } else if (clean && scatter.matters()) {
       smooth_by_noise(profile, *clean, options.smoothing_wavelength.has_value(), log);
     }
     if (scatter.matters()) {
       report_noise(scatter, clean ? &*clean : nullptr, wavelength, log);
     }
     profile.curve = curve_through(profile.points);
-    if (doubt) {
-      doubt->curve = profile.curve;
-      profile.doubt = std::move(doubt);
+    if (clean || wavelength == 0.0) {
+      const auto doubt = [=, curve = profile.curve] {
+        return doubt_of(points, curve, clean ? clean : noise_removed_from(points));
+      };
+      profile.doubt = std::async(std::launch::deferred, doubt).share();
     }
   } catch (const Error& error) {
     log.refuse(error.what());

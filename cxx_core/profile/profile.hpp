@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <future>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -44,8 +45,8 @@ struct Profile {
   Curve curve;
   /// What the curve was drawn through; none of a built-in profile.
   std::vector<Position> points{};
-  Warnings warnings{}; ///< what no wheel or rail has, found when it was read
-  std::shared_ptr<const ProfileDoubt> doubt{}; ///< none of exact curves
+  Warnings warnings{};                      ///< what no wheel or rail has, found when it was read
+  std::shared_future<ProfileDoubt> doubt{}; ///< found when asked for; not valid of exact curves
 };
 
 /// Names of the built-in profiles, in the order in which they are listed for users.

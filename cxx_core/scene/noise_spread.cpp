@@ -44,13 +44,13 @@ const Curve& curve_of(const ProfileDoubt& doubt, const Line& line) {
 
 void take_curve(ProfileChoice& choice, ProfileKind kind, const NoisyScene::Doubt& doubt,
                 const Line& line) {
-  if (!doubt) {
+  if (!doubt.valid()) {
     return;
   }
   auto profile = std::make_shared<Profile>();
   profile->name = choice.name;
   profile->kind = kind;
-  profile->curve = curve_of(*doubt, line);
+  profile->curve = curve_of(doubt.get(), line);
   choice.given = std::move(profile);
   choice.smoothing.reset();
 }
@@ -109,8 +109,8 @@ Numbers mean_squares(const NoisyScene& noisy, const Numbers& centre,
   std::size_t lines = most;
   for (const NoisyScene::Doubt* doubt :
        {&noisy.left_wheel, &noisy.left_rail, &noisy.right_wheel, &noisy.right_rail}) {
-    if (*doubt && (curves == &ProfileDoubt::likely || (*doubt)->is_of_waves)) {
-      lines = std::min(lines, ((**doubt).*curves).size());
+    if (doubt->valid() && (curves == &ProfileDoubt::likely || doubt->get().is_of_waves)) {
+      lines = std::min(lines, (doubt->get().*curves).size());
     }
   }
   for (std::size_t line = 0; line < lines; ++line) {
@@ -151,7 +151,7 @@ SceneSpread spread_from(const NoisyScene& noisy) {
       mean_squares(noisy, centre, &ProfileDoubt::likely, likely_lines, least_solutions);
   const bool is_of_waves = std::ranges::any_of(
       std::array{noisy.left_wheel, noisy.left_rail, noisy.right_wheel, noisy.right_rail},
-      [](const NoisyScene::Doubt& doubt) { return doubt && doubt->is_of_waves; });
+      [](const NoisyScene::Doubt& doubt) { return doubt.valid() && doubt.get().is_of_waves; });
   if (is_of_waves) {
     const Numbers waves =
         mean_squares(noisy, centre, &ProfileDoubt::smoothed, smoothed_waves.size(), 1);
@@ -162,20 +162,19 @@ SceneSpread spread_from(const NoisyScene& noisy) {
   return spread_of_numbers(squares);
 }
 
-/// 0 for each number that the result has.
-SceneSpread no_spread(const Numbers& numbers) {
-  Numbers squares{};
-  for (std::size_t i = 0; i < squares.size(); ++i) {
-    squares[i] = 0.0 * numbers[i];
+} // namespace
+
+SceneSpread exact_spread(const SceneResult& result) {
+  Numbers squares = numbers_of(result);
+  for (double& square : squares) {
+    square *= 0.0;
   }
   return spread_of_numbers(squares);
 }
 
-} // namespace
-
 const SceneSpread& spread_of(SceneResult& result) {
   if (!result.spread) {
-    result.spread = result.noise ? spread_from(*result.noise) : no_spread(numbers_of(result));
+    result.spread = result.noise ? spread_from(*result.noise) : exact_spread(result);
   }
   return *result.spread;
 }

@@ -15,5 +15,7 @@ namespace wrc {
 
 /// 0 with exact profiles, which are built in.
 const SceneSpread& spread_of(SceneResult& result);
+/// That of exact profiles: 0 for each number that the result has. Solves nothing.
+SceneSpread exact_spread(const SceneResult& result);
 
 } // namespace wrc

@@ -26,7 +26,7 @@ struct SceneSpread {
 
 /// A scene and the doubts about its profiles.
 struct NoisyScene {
-  using Doubt = std::shared_ptr<const ProfileDoubt>; ///< none: NULL
+  using Doubt = std::shared_future<ProfileDoubt>; ///< none: not valid
 
   Scene scene;
   Doubt left_wheel;

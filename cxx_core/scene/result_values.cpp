@@ -69,11 +69,17 @@ std::optional<SceneWheel>& side_of(SceneResult& result, const NumberId& id) {
   return id.right ? result.right : result.left;
 }
 
+/// Not-a-number where too few solutions with likely curves have the number.
 double spread_value(SceneResult& result, const Reading& reading) {
-  const SceneSpread& spread = spread_of(result);
-  return reading.id.group == NumberGroup::scene_spread
-             ? reading.value(scene_spread_numbers, &spread)
-             : reading.value(spread_numbers, reading.id.right ? &spread.right : &spread.left);
+  const auto value_in = [&](const SceneSpread& spread) {
+    return reading.id.group == NumberGroup::scene_spread
+               ? reading.value(scene_spread_numbers, &spread)
+               : reading.value(spread_numbers, reading.id.right ? &spread.right : &spread.left);
+  };
+  const bool exists = !std::isnan(value_in(exact_spread(result)));
+  const double value = exists ? value_in(spread_of(result)) : none;
+  reading.is_always = exists;
+  return value;
 }
 
 double side_value(SceneWheel& side, const Reading& reading) {
@@ -163,7 +169,7 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix, 
     add_names(names, prefix + "residuals.", residual_numbers);
   }
   // Results of solutions that have not converged may be not-a-number. Others are not computed for a
-  // name, but spreads are: they may be missing.
+  // name.
   const bool converged = side.stop_reason == StopReason::tolerance_met;
   if (side.solved && !side.patches.empty() && !side.validity &&
       ((converged && side.depth > 0.0) || side.sensitivities() != nullptr)) {
@@ -193,7 +199,7 @@ void add_side_texts(std::vector<std::pair<std::string, std::string>>& texts,
 std::vector<std::string> number_names(SceneResult& result) {
   std::vector<std::string> names;
   add_names(names, "", scene_numbers, &result);
-  const SceneSpread& spread = spread_of(result);
+  const SceneSpread spread = exact_spread(result);
   add_names(names, "spread.", scene_spread_numbers, &spread);
   for (const bool right : {false, true}) {
     std::optional<SceneWheel>& side = right ? result.right : result.left;

@@ -258,8 +258,8 @@ void complete_wheel(const Scene& scene, const WheelLoads& loads, RollingSolver& 
 void keep_noise(const Scene& scene, const SceneSurfaces& surfaces, SceneResult& result) {
   const bool left = result.left.has_value();
   const bool right = result.right.has_value();
-  if ((left && (surfaces.left.wheel_doubt || surfaces.left.rail_doubt)) ||
-      (right && (surfaces.right.wheel_doubt || surfaces.right.rail_doubt))) {
+  if ((left && (surfaces.left.wheel_doubt.valid() || surfaces.left.rail_doubt.valid())) ||
+      (right && (surfaces.right.wheel_doubt.valid() || surfaces.right.rail_doubt.valid()))) {
     result.noise.emplace(NoisyScene{scene, surfaces.left.wheel_doubt, surfaces.left.rail_doubt,
                                     surfaces.right.wheel_doubt, surfaces.right.rail_doubt});
   }

@@ -234,7 +234,7 @@ std::shared_ptr<const Surface> get_one(RecentSurfaces<Surface, Dimensions>& kept
   auto entry = kept.get(source, [&] {
     const Stopwatch stopwatch;
     check_waves(source.profile.harmonics, radius_of(source.dimensions));
-    typename RecentSurfaces<Surface, Dimensions>::Entry made{source, nullptr, {}, nullptr, nullptr};
+    typename RecentSurfaces<Surface, Dimensions>::Entry made{source, nullptr, {}, nullptr, {}};
     if (is_sliced(source.profile)) {
       Warnings warnings;
       made.surface = surface_of_slices<Surface>(source, kind, key, made.corrections, warnings);

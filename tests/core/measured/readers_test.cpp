@@ -217,9 +217,9 @@ TEST(Readers, ScatterThatMattersIsSmoothed) {
     EXPECT_EQ(warns_of_noise(read, "MPa to flatten: smoothed automatically"), noisy) << digits;
     EXPECT_EQ(warns_of_noise(raw, "not smoothed, pressures are those of the scatter"), noisy);
     EXPECT_EQ(says(read, "smoothed automatically: waves of "), noisy) << digits;
-    ASSERT_NE(read.profile.doubt, nullptr) << digits;
-    EXPECT_EQ(read.profile.doubt->is_of_waves, !noisy) << digits;
-    EXPECT_EQ(read.profile.doubt->smoothed.size(), smoothed_waves.size()) << digits;
+    ASSERT_TRUE(read.profile.doubt.valid()) << digits;
+    EXPECT_EQ(read.profile.doubt.get().is_of_waves, !noisy) << digits;
+    EXPECT_EQ(read.profile.doubt.get().smoothed.size(), smoothed_waves.size()) << digits;
     EXPECT_EQ(read.profile.points == raw.profile.points, !noisy) << digits;
     EXPECT_EQ(raw.profile.points, raw.measured) << digits; // to the bit
     EXPECT_EQ(read.measured, raw.measured) << digits;
@@ -275,7 +275,7 @@ TEST(Readers, TooShortASmoothingIsReported) {
   options.smoothing_wavelength = 15.0;
   const ReadResult long_waves = read_rows(rows, options);
   EXPECT_FALSE(warns_of_noise(long_waves, ""));
-  EXPECT_NE(long_waves.profile.doubt, nullptr);
+  EXPECT_TRUE(long_waves.profile.doubt.valid());
 }
 
 TEST(Readers, RefusesPointsThatTurnBack) {

@@ -1,6 +1,7 @@
 /// The spread of results by the noise of profiles.
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <memory>
 #include <vector>
 
@@ -147,11 +148,18 @@ TEST(NoiseSpread, WheelsOfDifferentFilesVaryIndependently) {
   EXPECT_GT(number(apart, "spread.rolling_radius_difference"), 0.05);
 }
 
+/// As if it were found already.
+std::shared_future<ProfileDoubt> known(ProfileDoubt doubt) {
+  std::promise<ProfileDoubt> promise;
+  promise.set_value(std::move(doubt));
+  return promise.get_future().share();
+}
+
 TEST(NoiseSpread, OfTooFewLinesThereIsNone) {
   Profile wheel = noisy_wheel({0.02, 0.25, 0.0, 1}, automatic_smoothing);
   for (const std::size_t count : {6U, 7U}) {
-    wheel.doubt = std::make_shared<const ProfileDoubt>(
-        ProfileDoubt{wheel.curve, std::vector<Curve>(count, wheel.curve), {}, false});
+    wheel.doubt =
+        known(ProfileDoubt{wheel.curve, std::vector<Curve>(count, wheel.curve), {}, false});
     SceneResult result = solve_scene(scene_with(wheel));
     EXPECT_EQ(std::isnan(number(result, "left.spread.pmax")), count < 7U);
   }
@@ -160,8 +168,8 @@ TEST(NoiseSpread, OfTooFewLinesThereIsNone) {
 /// Ten likely curves that are all the profile itself leave nothing uncertain.
 TEST(NoiseSpread, IsNothingIfAllLikelyCurvesAreTheSame) {
   Profile wheel = noisy_wheel({0.02, 0.25, 0.0, 1}, automatic_smoothing);
-  wheel.doubt = std::make_shared<const ProfileDoubt>(
-      ProfileDoubt{wheel.curve, std::vector<Curve>(likely_lines, wheel.curve), {}, false});
+  wheel.doubt =
+      known(ProfileDoubt{wheel.curve, std::vector<Curve>(likely_lines, wheel.curve), {}, false});
   SceneResult result = solve_scene(scene_with(wheel));
   EXPECT_EQ(number(result, "left.spread.pmax"), 0.0);
 }
