@@ -68,7 +68,8 @@ Motion RollingFrame::mirrored(const Motion& motion) const {
   other.roll = mirror() * motion.roll;
   other.yaw = mirror() * motion.yaw;
   other.curvature = mirror() * motion.curvature;
-  for (const std::size_t turning : {1, 3, 5}) { // lateral, roll, yaw
+  constexpr std::array<std::size_t, 3> lateral_roll_yaw{1, 3, 5};
+  for (const std::size_t turning : lateral_roll_yaw) {
     other.acceleration[turning] = mirror() * motion.acceleration[turning];
   }
   return other;

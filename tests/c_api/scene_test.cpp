@@ -124,7 +124,7 @@ wrc_status set_default(wrc_scene* scene, const std::string& key, const std::stri
   }
   if (value.starts_with("[0.0")) {
     const std::vector<double> zeros(static_cast<std::size_t>(std::ranges::count(value, ',')) + 1);
-    return wrc_scene_set_numbers(scene, key.c_str(), zeros.data(), zeros.size());
+    return wrc_scene_set_numbers(scene, key.c_str(), zeros.data(), std::ssize(zeros));
   }
   return wrc_scene_set_number(scene, key.c_str(), std::stod(value));
 }
