@@ -77,6 +77,8 @@ struct ErrorEstimate {
   [[nodiscard]] double total() const {
     return std::hypot(columns_too() + crest + ridge, iteration);
   }
+  /// Without what the largest pressure adds.
+  [[nodiscard]] double of_forces() const { return std::hypot(elements + ridge, iteration); }
   /// What more elements lessen.
   [[nodiscard]] double reducible() const { return std::hypot(columns_too() + crest, iteration); }
 

@@ -37,6 +37,9 @@ void solve_creep_forces(WheelResult& wheel, const CreepRequest& request, Rolling
 CreepResult creep_of_patch(const WheelResult& wheel, const PatchResult& patch,
                            const CreepRequest& request, RollingSolver& solver,
                            std::vector<CreepResult>& parts, const PatchRates* rates = nullptr);
+/// Error of the elements over mu N, of all patches, each by its share of the load: one that has
+/// just formed is on few elements.
+double error_of_creep_forces(const WheelResult& wheel);
 /// Adds the warnings that the creep forces found give rise to.
 void warn_of_creep_forces(WheelResult& wheel, const CreepRequest& request);
 

@@ -34,18 +34,19 @@ void warn_of_unlike_bodies(WheelResult& wheel, const CreepRequest& request) {
   }
 }
 
-/// Of all patches, each by its share of the load: one that has just formed is on few elements.
-double error_of_wheel(const WheelResult& wheel) {
+} // namespace
+
+double error_of_creep_forces(const WheelResult& wheel) {
   double error = 0.0;
   double force = 0.0;
   for (const PatchResult& patch : wheel.patches) {
-    error += patch.normal_force * patch.creep->error_estimate.value_or(0.0);
-    force += patch.normal_force;
+    if (patch.creep) {
+      error += patch.normal_force * patch.creep->error_estimate.value_or(0.0);
+      force += patch.normal_force;
+    }
   }
   return force > 0.0 ? error / force : 0.0;
 }
-
-} // namespace
 
 void warn_of_creep_forces(WheelResult& wheel, const CreepRequest& request) {
   double wanted = 0.0;
@@ -56,7 +57,7 @@ void warn_of_creep_forces(WheelResult& wheel, const CreepRequest& request) {
     wheel.warnings.push_back({WarningClass::element_limit,
                               "creep forces: " + text_of_limit(wanted, request.element_limit)});
   }
-  const double excess = error_of_wheel(wheel) / request.accuracy;
+  const double excess = error_of_creep_forces(wheel) / request.accuracy;
   for (std::size_t i = 0; excess > 1.0 && i < wheel.patches.size(); ++i) {
     const PatchResult& patch = wheel.patches[i];
     if (patch.creep->error_estimate.value_or(0.0) > request.accuracy) {

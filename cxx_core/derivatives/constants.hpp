@@ -26,5 +26,7 @@ inline constexpr double sensitivity_tolerance = 1e-4;
 /// % of random sequences of transient rolling or more.
 inline constexpr double steady_error_by_rate = 0.7;
 inline constexpr double most_steady_error = 0.12;
+/// Greatest difference of two creep forces, over mu N. origin: derived: each is mu N at most.
+inline constexpr double most_difference = 2.0;
 
 } // namespace wrc

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "creep/creep_forces.hpp"
 #include "creep/rolling_frame.hpp"
 #include "derivatives/constants.hpp"
 #include "derivatives/force_jacobian.hpp"
@@ -95,9 +96,11 @@ void find_steady_error(PatchResult& patch, const std::array<RatedByState, 4>& fo
       std::hypot(by_velocities[0], by_velocities[1]), patch.creep->friction * patch.normal_force);
 }
 
-/// Whether creep forces are those of steady rolling, of a wheel that is known to move.
+/// Whether creep forces are those of steady rolling, of a wheel that is known to roll: not at
+/// standstill.
 bool is_steady(const WheelResult& wheel) {
-  if (!wheel.details.motion || wheel.details.motion->motion.speed == 0.0) {
+  if (!wheel.details.motion || !(std::abs(wheel.details.motion->motion.speed) >
+                                 wheel.details.motion->motion.standstill_speed)) {
     return false;
   }
   return std::ranges::all_of(solved_patches(wheel), [](const PatchResult* patch) {
@@ -129,7 +132,8 @@ double steady_error(double contact_length, double rate, double by_velocities, do
     return 0.0;
   }
   const double per_rate = steady_error_by_rate * contact_length / bound;
-  return std::max(std::min(per_rate * rate, most_steady_error), per_rate * by_velocities);
+  return std::max(std::min(per_rate * rate, most_steady_error),
+                  std::min(per_rate * by_velocities, most_difference));
 }
 
 void find_steady_errors(WheelResult& wheel, const WheelRates& rates,
@@ -163,16 +167,26 @@ std::optional<double> steady_error_of(const WheelResult& wheel) {
 }
 
 void warn_of_steady_forces(WheelResult& wheel, double accuracy) {
-  const double error = steady_error_of(wheel).value_or(0.0);
-  if (error > accuracy) {
-    wheel.warnings.push_back(
-        {WarningClass::steady_forces,
-         "creep forces change within a few contact lengths of the path: those of steady rolling "
-         "are "
-         "off by an estimated " +
-             short_text_of(error) +
-             " of friction times load, more than solve.accuracy = " + text_of(accuracy),
-         error / accuracy});
+  const std::optional<double> error = steady_error_of(wheel);
+  if (!error) {
+    return;
+  }
+  const double of_elements = error_of_creep_forces(wheel);
+  const double excess = std::hypot(*error, of_elements) / accuracy;
+  for (Warning& warning : wheel.warnings) {
+    if (warning.kind == WarningClass::creep_accuracy) {
+      warning.excess = excess;
+    }
+  }
+  if (*error > accuracy || (excess > 1.0 && !(of_elements > accuracy))) {
+    wheel.warnings.push_back({WarningClass::steady_forces,
+                              "creep forces change within a few contact lengths of the path: "
+                              "estimated error of steady rolling " +
+                                  short_text_of(*error) +
+                                  " of friction times load, with that of elements more than "
+                                  "solve.accuracy = " +
+                                  text_of(accuracy),
+                              excess});
   }
 }
 

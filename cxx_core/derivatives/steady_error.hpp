@@ -2,7 +2,7 @@
 ///
 /// A contact remembers what it has rolled over for about its own length. Where forces change along
 /// the path, steady ones lead those of transient rolling, per patch by at most about
-///   E = max(min(0.7 L |dF/ds|, 0.12 mu N), 0.7 L |dF/dv dv/ds|),
+///   E = max(min(0.7 L |dF/ds|, 0.12 mu N), min(0.7 L |dF/dv dv/ds|, 2 mu N)),
 /// L the length of the contact along rolling, F = (Fx, Fy) the steady creep force and v the
 /// velocities: the limit is that of loads and positions, not of creepages. Measured on sequences of
 /// transient rolling (docs/creep.md); at a single position the error lags behind the slope, so that
@@ -15,7 +15,7 @@
 /// find_steady_errors, which fills in its argument.
 ///
 /// Not known here: loads that change by themselves, accelerations of rails, patches that have
-/// ended.
+/// ended, wheels slower than Motion::standstill_speed.
 #pragma once
 
 #include <optional>

@@ -319,14 +319,8 @@ Key acceleration_key() {
        "change along the path"},
       {most, most, most, most, most, most},
       {length, turning_length, turning_length, pure, pure, turning},
-      [](const Scene& scene) -> std::optional<Six> {
-        return scene.motion ? scene.motion->acceleration : Six{};
-      },
-      [](Scene& scene, const Six& values) {
-        if (scene.motion || values != Six{}) { // at rest by itself does not move
-          motion_of(scene).acceleration = values;
-        }
-      });
+      [](const Scene& scene) -> std::optional<Six> { return scene.acceleration; },
+      [](Scene& scene, const Six& values) { scene.acceleration = values; });
 }
 
 constexpr std::string_view speed_range = "-1e6 to 1e6 mm/s, or \"none\"";

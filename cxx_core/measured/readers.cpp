@@ -135,7 +135,7 @@ void report_noise(const reading::Scatter& scatter, const NoiseRemoval* clean, do
   log.advise(WarningClass::profile_noise, text);
 }
 
-/// Waves that several points agree upon are no noise that is independent.
+/// The scatter without waves in which several neighbouring points agree: these are not noise.
 reading::Scatter scatter_without_waves(std::span<const Position> points,
                                        const reading::Scatter& scatter,
                                        const std::optional<NoiseRemoval>& clean) {
@@ -144,7 +144,7 @@ reading::Scatter scatter_without_waves(std::span<const Position> points,
              : scatter;
 }
 
-/// What the points leave open.
+/// What the points leave open; without likely curves if that is not known.
 ProfileDoubt doubt_of(std::span<const Position> points, const Curve& curve,
                       const std::optional<NoiseRemoval>& clean) {
   if (!clean) {
@@ -178,12 +178,11 @@ void join(Profile& profile, const ReadOptions& options, Log& log) {
       report_noise(scatter, clean ? &*clean : nullptr, wavelength, log);
     }
     profile.curve = curve_through(profile.points);
-    if (clean || wavelength == 0.0) {
-      const auto doubt = [=, curve = profile.curve] {
-        return doubt_of(points, curve, clean ? clean : noise_removed_from(points));
-      };
-      profile.doubt = std::async(std::launch::deferred, doubt).share();
-    }
+    const bool is_fitted = wavelength != 0.0;
+    const auto doubt = [=, curve = profile.curve] {
+      return doubt_of(points, curve, is_fitted ? clean : noise_removed_from(points));
+    };
+    profile.doubt = std::async(std::launch::deferred, doubt).share();
   } catch (const Error& error) {
     log.refuse(error.what());
   }

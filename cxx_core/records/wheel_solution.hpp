@@ -34,6 +34,7 @@ struct WheelSolution {
   double peak_pressure = 0.0;
   /// Relative, of forces or pressures as the accuracy; none if not known.
   std::optional<double> discretisation_error;
+  double force_error = 0.0;          ///< likewise, of forces alone
   std::optional<double> model_error; ///< accuracy/model_error.hpp
   /// Both together; the error of elements is independent of that of planes.
   [[nodiscard]] std::optional<double> error_estimate() const {

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "geometry/wheelset_equilibrium.hpp"
 #include "remesh/contact_border.hpp"
+#include "remesh/met_distance.hpp"
 #include "results/constants.hpp"
 
 namespace wrc {
@@ -39,6 +40,10 @@ double error_of_edge(double step, double semi_axis) {
 
 std::optional<ContactCut> cut_of(const PatchResult& patch, const WheelAndRail& bodies) {
   const std::vector<double>& distance = patch.undeformed_distance;
+  const bool is_prismatic = bodies.is_prismatic_along(along_track);
+  if (is_prismatic && std::ranges::all_of(distance, is_met)) {
+    return std::nullopt;
+  }
   bool at_side = false;
   for (const BorderPair& pair : contact_border(patch.grid, patch.pressure, distance)) {
     if (!pair.is_along) {
@@ -54,9 +59,8 @@ std::optional<ContactCut> cut_of(const PatchResult& patch, const WheelAndRail& b
   if (!at_side) {
     return std::nullopt;
   }
-  return ContactCut{
-      false, bodies.is_prismatic_along(along_track) ? "the end of a profile" : "the side of a part",
-      error_of_edge(patch.grid.lateral_step, patch.semi_axis_lateral)};
+  return ContactCut{false, is_prismatic ? "the end of a profile" : "the side of a part",
+                    error_of_edge(patch.grid.lateral_step, patch.semi_axis_lateral)};
 }
 
 } // namespace

@@ -126,19 +126,28 @@ ContactPoint mean_point(const std::vector<PatchResult>& patches, double normal_f
 }
 
 /// The edge of a cut contact is an error of its own, whose warning takes the place of that of the
-/// accuracy.
-void note_cut(const WheelSurface& wheel, const RailSurface& rail, WheelResult& result) {
+/// accuracy. `force_error`: of elements, without that of the largest pressure, which is not given.
+void note_cut(const WheelSurface& wheel, const RailSurface& rail, double force_error,
+              WheelResult& result) {
   const std::optional<ContactCut> cut = mark_cuts(result.patches, wheel, rail);
   if (!cut) {
     return;
   }
-  result.is_cut = true;
   result.meets_part_end =
       result.meets_part_end || !WheelAndRail{wheel, rail}.is_prismatic_along(along_track);
+  if (result.validity) { // pressures of an approximate model have a bound
+    for (PatchResult& patch : result.patches) {
+      patch.is_cut = false;
+    }
+    result.warnings.push_back({WarningClass::profile_end,
+                               "contact reaches " + cut->where + ", which the model leaves out"});
+    return;
+  }
+  result.is_cut = true;
   std::string estimate;
   if (result.error_estimate) {
-    result.discretisation_error = std::hypot(*result.discretisation_error, cut->error);
-    result.error_estimate = std::hypot(*result.error_estimate, cut->error);
+    result.discretisation_error = std::hypot(force_error, cut->error);
+    result.error_estimate = std::hypot(*result.discretisation_error, *result.model_error);
     estimate =
         ", depth and place with an estimated error of " + short_text_of(*result.error_estimate);
     std::erase_if(result.warnings,
@@ -245,7 +254,7 @@ WheelResult make_wheel_result(WheelSolution solution,
   }
   result.angle = result.patches.front().angle;
   result.approach = result.patches.front().approach;
-  note_cut(*wheel, *rail, result);
+  note_cut(*wheel, *rail, solution.force_error, result);
   if (result.solved) {
     result.centroid = mean_point(result.patches, result.normal_force);
   }

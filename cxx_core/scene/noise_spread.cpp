@@ -100,6 +100,19 @@ Numbers numbers_of(const SceneResult& result) {
   return numbers;
 }
 
+/// None of a line that does not touch the rail, say.
+std::optional<Numbers> numbers_with(const NoisyScene& noisy, const Line& line,
+                                    SceneSolver& solver) {
+  try {
+    return numbers_of(solver.solve(scene_with(noisy, line)));
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::out_of_memory) {
+      throw;
+    }
+    return std::nullopt;
+  }
+}
+
 /// Mean squares of differences from the result; not-a-number of too few.
 Numbers mean_squares(const NoisyScene& noisy, const Numbers& centre,
                      std::vector<Curve> ProfileDoubt::*curves, std::size_t most, int least) {
@@ -114,18 +127,13 @@ Numbers mean_squares(const NoisyScene& noisy, const Numbers& centre,
     }
   }
   for (std::size_t line = 0; line < lines; ++line) {
-    try {
-      const Numbers numbers = numbers_of(solver.solve(scene_with(noisy, {curves, line})));
-      for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const double difference = numbers[i] - centre[i];
+    if (const std::optional<Numbers> numbers = numbers_with(noisy, {curves, line}, solver)) {
+      for (std::size_t i = 0; i < numbers->size(); ++i) {
+        const double difference = (*numbers)[i] - centre[i];
         if (std::isfinite(difference)) {
           squares[i] += difference * difference;
           ++counts[i];
         }
-      }
-    } catch (const Error& error) { // a line that does not touch the rail, say
-      if (error.code() == ErrorCode::out_of_memory) {
-        throw;
       }
     }
   }
@@ -146,7 +154,11 @@ SceneSpread spread_of_numbers(const Numbers& squares) {
 
 SceneSpread spread_from(const NoisyScene& noisy) {
   SceneSolver solver;
-  const Numbers centre = numbers_of(solver.solve(scene_with(noisy, {})));
+  const std::optional<Numbers> solved = numbers_with(noisy, {}, solver);
+  if (!solved) {
+    return {};
+  }
+  const Numbers& centre = *solved;
   Numbers squares =
       mean_squares(noisy, centre, &ProfileDoubt::likely, likely_lines, least_solutions);
   const bool is_of_waves = std::ranges::any_of(

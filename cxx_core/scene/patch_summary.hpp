@@ -38,7 +38,7 @@ inline constexpr std::array patch_summary_names = std::to_array<std::string_view
      "longitudinal_force", "lateral_force", "vertical_force", "pressure_force.x",
      "pressure_force.y", "pressure_force.z", "coupling_weight"});
 
-/// Not-a-number where there is none, such as creep forces that were not requested.
+/// 0 for results of creep forces that were not requested, not-a-number for others that are absent.
 using PatchSummary = std::array<double, patch_summary_names.size()>;
 
 /// Summaries of all patches, as ordered_patches.

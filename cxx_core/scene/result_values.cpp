@@ -206,8 +206,6 @@ std::vector<std::string> number_names(SceneResult& result) {
     const std::string prefix = right ? "right." : "left.";
     if (side) {
       add_side_names(names, prefix, *side);
-    }
-    if (side) {
       add_names(names, prefix + "spread.", spread_numbers, right ? &spread.right : &spread.left);
     }
   }

@@ -20,6 +20,14 @@
 #include "wheel/solve_wheel.hpp"
 
 namespace wrc {
+
+ShearConstants shear_constants_of(const Scene& scene, const SceneSide& side) {
+  ShearConstants constants = shear_constants(scene.wheel_material, scene.rail_material);
+  constants.difference_parameter = effective_difference(
+      constants.difference_parameter, smallest_friction(side.friction), scene.accuracy);
+  return constants;
+}
+
 namespace {
 
 WheelRequest request_of(const Scene& scene, double load) {
@@ -52,17 +60,6 @@ EquilibriumRequest equilibrium_request_of(const Scene& scene) {
   return request;
 }
 
-} // namespace
-
-ShearConstants shear_constants_of(const Scene& scene, const SceneSide& side) {
-  ShearConstants constants = shear_constants(scene.wheel_material, scene.rail_material);
-  constants.difference_parameter = effective_difference(
-      constants.difference_parameter, smallest_friction(side.friction), scene.accuracy);
-  return constants;
-}
-
-namespace {
-
 /// What it needs besides the creepages.
 CreepRequest creep_options_of(const Scene& scene, const SceneSide& side) {
   CreepRequest request;
@@ -90,6 +87,7 @@ CreepRequest creep_request_of(const Scene& scene, const SceneSide& side) {
   } else {
     request.motion = scene.motion;
     request.motion->standstill_speed = scene.standstill_speed;
+    request.motion->acceleration = scene.acceleration;
     request.nominal_radius = scene.nominal_radius();
     request.rail_velocity = side.velocity;
     request.rail_slope = side.slope;
@@ -266,8 +264,8 @@ void keep_noise(const Scene& scene, const SceneSurfaces& surfaces, SceneResult& 
 }
 
 /// How far behind a solution is compared, over the length of the contact.
-/// origin: reasoned: what solutions err by counts 1.4 times, and a wave of two contacts' lengths
-/// loses a tenth of its slope.
+/// origin: reasoned: the difference multiplies errors of solutions by 1.4, and a wave of two
+/// contact lengths loses a tenth of its slope.
 constexpr double path_step = 0.5;
 
 double longest_contact(const SceneResult& result) {
@@ -382,7 +380,8 @@ void SceneSolver::State::solve_contact(const Scene& scene, const SceneSurfaces& 
 /// solved a little behind on the path as well.
 void SceneSolver::State::find_steady_errors(const Scene& scene, const SceneSurfaces& surfaces,
                                             SceneResult& result) {
-  if (!scene.derivatives || !scene.motion || scene.motion->speed == 0.0 || scene.history) {
+  if (!scene.steady_errors || !scene.derivatives || !scene.motion || scene.motion->speed == 0.0 ||
+      scene.history) {
     return;
   }
   std::optional<SceneResult> behind;
@@ -397,8 +396,8 @@ void SceneSolver::State::find_steady_errors(const Scene& scene, const SceneSurfa
     before.pitch -= result.pitch.value_or(0.0) * distance / std::abs(scene.motion->speed);
     try {
       behind = solve(before);
-    } catch (const Error& error) {
-      if (error.code() != ErrorCode::no_contact) { // before the first slice
+    } catch (const Error& error) { // before the first slice, say: the error is not known
+      if (error.code() == ErrorCode::out_of_memory) {
         throw;
       }
       return;

@@ -181,6 +181,7 @@ StaticEquilibrium find_static_equilibrium(const Scene& scene, const VehicleState
   with_slopes.derivatives = true;
   Scene posed = scene_at(scene, with_slopes);
   posed.side = SideChoice::both;
+  posed.steady_errors = false;
   const Two each = loads_of_wheels(loads.of, requested);
   // Each wheel's load to its own size, an axle's moment to that of its load.
   const Two sizes = loads.of == LoadsOf::wheels ? requested : Two{requested[0], requested[0]};

@@ -348,6 +348,7 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
     }
     error_ = estimate_error(solution, goal_);
     result_.discretisation_error = error_.total();
+    result_.force_error = error_.of_forces();
     interaction_error_ = interaction_error(solution, request_.combined_modulus);
     result_.model_error = std::hypot(
         estimate_model_error(solution, request_.accuracy_of, goal_.position_is_prescribed),

@@ -9,6 +9,9 @@
 namespace driver {
 namespace {
 
+/// What a line begins with, by its grade.
+constexpr std::array grade_leads{"Note: ", "A little over: ", "Do not use: "};
+
 /// Kinds that are printed.
 constexpr std::size_t most_kinds = 20;
 
@@ -37,14 +40,14 @@ std::string without_numbers(std::string_view text) {
 } // namespace
 
 std::vector<std::string> lines_of(const std::vector<Warning>& warnings) {
-  constexpr std::array leads{"Note: ", "A little over: ", "Do not use: "};
   const bool quiet = grade_of(warnings) == WRC_SLIGHTLY_OVER;
   bool is_told = false;
   std::vector<std::string> lines;
   for (const Warning& warning : warnings) {
     const bool is_over = warning.grade == WRC_SLIGHTLY_OVER;
     if (!(quiet && is_over && is_told)) {
-      lines.push_back(leads.at(static_cast<std::size_t>(warning.grade)) + one_line(warning.text));
+      lines.push_back(grade_leads.at(static_cast<std::size_t>(warning.grade)) +
+                      one_line(warning.text));
     }
     is_told = is_told || is_over;
   }
@@ -110,7 +113,7 @@ std::string WarningSummary::text(const std::string& program, std::int64_t all,
     const std::size_t shown =
         std::min(kinds.size(), grade == WRC_SLIGHTLY_OVER ? std::size_t{1} : most_kinds);
     for (std::size_t i = 0; i < shown; ++i) {
-      text += "  " + kinds[i] + '\n';
+      text += "  " + std::string(grade_leads.at(static_cast<std::size_t>(grade))) + kinds[i] + '\n';
     }
     if (kinds.size() > most_kinds && shown == most_kinds) {
       text += "  and " + std::to_string(kinds.size() - most_kinds) + " more kinds\n";

@@ -235,11 +235,11 @@ void add_solution(const Scene& scene, SideTable& table) {
   table.count("patches", "patches");
   table.line("pmax", "MPa", "pmax", 2);
   if (is_noisy(scene)) {
-    table.line("  uncertain, +-", "MPa", "spread.pmax", 2);
+    table.line("  uncertain by profile, +-", "MPa", "spread.pmax", 2);
   }
   table.line("area", "mm2", "area", 2);
   if (is_noisy(scene)) {
-    table.line("  uncertain, +-", "mm2", "spread.area", 2);
+    table.line("  uncertain by profile, +-", "mm2", "spread.area", 2);
   }
   table.line("normal force", "N", "normal_force", 1);
   if (has_creep_forces(scene)) {
@@ -363,7 +363,8 @@ void print_csv(const Scene& scene, std::ostream& out) {
          << scene.count_of(side + ".patches");
     for (const std::string& column : columns) {
       const std::string name = side + '.' + column;
-      line << (scene.has_number(name) ? std::optional(scene.number(name)) : std::nullopt);
+      const double value = scene.number_or(name, std::nan(""));
+      line << (std::isnan(value) ? std::nullopt : std::optional(value));
     }
     std::vector<Warning> warnings = warnings_of(scene);
     std::erase_if(warnings, [&side](const Warning& one) { return is_of_other_wheel(one, side); });

@@ -109,9 +109,10 @@ std::vector<std::string> in_brief(const Scene& centre, const std::vector<Positio
   const double spread = centre.number_or("left.spread.pmax", 0.0);
   std::string pressure =
       "Largest pressure centred: " + number(centre.number_or("left.pmax", std::nan("")), 0);
-  pressure += spread > 0.0 ? " ± " + fixed(spread, 0) +
-                                 " MPa, in 95 of 100 cases because of the noise of the profiles"
-                           : " MPa";
+  pressure += spread > 0.0
+                  ? " ± " + fixed(spread, 0) +
+                        " MPa, in 95 of 100 cases because of noise and short waves of the profiles"
+                  : " MPa";
   brief.push_back(pressure + '.');
   const auto less = [](const Position& one, const Position& other) {
     return std::isnan(one.pmax) || one.pmax < other.pmax;

@@ -18,6 +18,7 @@ TEST(SteadyError, GrowsWithTheChangeOverAContactUpToALimit) {
   EXPECT_DOUBLE_EQ(steady_error(20.0, 24.0, 0.0, 24e3), 14e-3);
   EXPECT_DOUBLE_EQ(steady_error(10.0, 2400.0, 0.0, 24e3), 0.12);
   EXPECT_DOUBLE_EQ(steady_error(10.0, 2400.0, 2400.0, 24e3), 0.7) << "creepages may change it more";
+  EXPECT_EQ(steady_error(10.0, 2.4e9, 2.4e9, 24e3), 2.0) << "forces are between -mu N and mu N";
   EXPECT_EQ(steady_error(10.0, 24.0, 24.0, 0.0), 0.0) << "without friction no force remembers";
 }
 

@@ -89,6 +89,9 @@ TEST(CutContact, IsSeenAtTheEndOfAProfile) {
     EXPECT_TRUE(cut.is_cut);
     EXPECT_FALSE(cut.meets_part_end) << "the state of bodies that vary";
     EXPECT_TRUE(has_warning(cut, "contact reaches the end of a profile: pressures"));
+    request.accuracy_of = AccuracyOf::forces;
+    EXPECT_LT(*cut.error_estimate, 2.0 * *solve_left(bodies, request).error_estimate)
+        << "pmax, which is not given, does not count";
   }
 }
 

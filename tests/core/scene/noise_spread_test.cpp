@@ -165,6 +165,15 @@ TEST(NoiseSpread, OfTooFewLinesThereIsNone) {
   }
 }
 
+/// Points that are too far apart to tell noise leave open how far off results are.
+TEST(NoiseSpread, OfPointsFarApartIsNotKnown) {
+  for (const double wavelength : {automatic_smoothing, 0.0}) {
+    const Profile wheel = noisy_wheel({0.02, 3.0, 0.0, 1}, wavelength);
+    SceneResult result = solve_scene(scene_with(wheel));
+    EXPECT_TRUE(std::isnan(number(result, "left.spread.pmax"))) << wavelength;
+  }
+}
+
 /// Ten likely curves that are all the profile itself leave nothing uncertain.
 TEST(NoiseSpread, IsNothingIfAllLikelyCurvesAreTheSame) {
   Profile wheel = noisy_wheel({0.02, 0.25, 0.0, 1}, automatic_smoothing);

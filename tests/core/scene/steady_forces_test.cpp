@@ -11,7 +11,9 @@
 
 #include <gtest/gtest.h>
 
+#include "derivatives/steady_error.hpp"
 #include "extent.hpp"
+#include "results/grade.hpp"
 #include "scene/scene_warnings.hpp"
 #include "scene/solve_scene.hpp"
 #include "scene/varying_lists.hpp"
@@ -119,7 +121,7 @@ public:
     state.time_step = history ? distance / speed : 0.0;
     state.history = std::move(history);
     scene = scene_at(scene, state);
-    scene.motion->acceleration = {
+    scene.acceleration = {
         0.0, 0.0, by_load * load[2] * speed * speed, 0.0, -rolling * creepage[1] * speed, 0.0};
     return solver_.solve(scene);
   }
@@ -252,7 +254,7 @@ TEST(SteadyForces, ErrorIsNotKnownWithoutRatesAndChangesNoForce) {
   const CreepResult& creep = *without.left->patches.front().creep;
   EXPECT_FALSE(creep.steady_error);
   scene.derivatives = true;
-  scene.motion->acceleration = {0.0, 1e4, -1e4, 1.0, 1e3, 1.0};
+  scene.acceleration = {0.0, 1e4, -1e4, 1.0, 1e3, 1.0};
   scene.left.slope = {1e-3, 1e-3, 1e-6};
   const SceneResult other = solve_scene(scene);
   EXPECT_NE(other.left->patches.front().creep->steady_error,
@@ -261,8 +263,40 @@ TEST(SteadyForces, ErrorIsNotKnownWithoutRatesAndChangesNoForce) {
     EXPECT_EQ(one->left->patches.front().creep->longitudinal_force, creep.longitudinal_force);
     EXPECT_EQ(one->left->patches.front().creep->lateral_force, creep.lateral_force);
   }
-  scene.motion->speed = 0.0;
-  EXPECT_FALSE(solve_scene(scene).left->patches.front().creep->steady_error) << "standstill";
+  for (const double speed : {0.0, 0.5}) {
+    scene.motion->speed = speed;
+    EXPECT_FALSE(solve_scene(scene).left->patches.front().creep->steady_error) << "standstill";
+  }
+}
+
+/// Two errors just below the accuracy are above it together.
+TEST(SteadyForces, TheirWarningsCountTheErrorOfElements) {
+  Scene scene = sinking_scene(1e-4);
+  SceneResult result = solve_scene(scene);
+  WheelResult& wheel = *result.left;
+  wheel.warnings = {{WarningClass::creep_accuracy, "of elements", 1.9}};
+  for (PatchResult& patch : wheel.patches) {
+    patch.creep->error_estimate = 0.019;
+    patch.creep->steady_error = 0.019;
+  }
+  warn_of_steady_forces(wheel, 0.01);
+  ASSERT_EQ(wheel.warnings.size(), 2U);
+  EXPECT_EQ(grade_of(wheel.warnings[0]), Grade::do_not_use);
+  wheel.warnings.clear();
+  warn_of_steady_forces(wheel, 0.02);
+  ASSERT_EQ(wheel.warnings.size(), 1U);
+  EXPECT_EQ(grade_of(wheel.warnings[0]), Grade::slightly_over);
+  wheel.warnings.clear();
+  warn_of_steady_forces(wheel, 0.03);
+  EXPECT_TRUE(wheel.warnings.empty());
+}
+
+TEST(SteadyForces, AccelerationAloneIsNoMotion) {
+  Scene scene;
+  scene.acceleration = {0.0, 100.0, 0.0, 0.0, 0.0, 0.0};
+  const SceneResult result = solve_scene(scene);
+  EXPECT_FALSE(result.pitch);
+  EXPECT_FALSE(result.left->patches.front().creep);
 }
 
 class VaryingSteadyForces : public VaryingScene {};
