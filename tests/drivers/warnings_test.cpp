@@ -28,8 +28,8 @@ TEST_F(WrcSweepWarnings, EachKindIsPrintedOnceWithTheNumberOfScenes) {
   EXPECT_TRUE(outcome.error.starts_with("wrc_sweep: 1 of 4 scenes: do not use; 2 a little over the "
                                         "accuracy. All warnings are in o/s.csv\n"))
       << outcome.error;
-  EXPECT_TRUE(has("\n  2 scenes: left: the rail turns by 0.")) << outcome.error;
-  EXPECT_TRUE(has("\n  1 scene: left: the largest pressure, 61")) << outcome.error;
+  EXPECT_TRUE(has("\n  A little over: 2 scenes: left: the rail turns by 0.")) << outcome.error;
+  EXPECT_TRUE(has("\n  Do not use: 1 scene: left: the largest pressure, 61")) << outcome.error;
   EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 3) << outcome.error;
   const Outcome loud = run("s.toml --out o1 --threads 1");
   EXPECT_TRUE(

@@ -129,7 +129,7 @@ def from_study(name, keys, text, folder):
     (folder / "s.toml").write_text("\n".join(lines) + "\n", encoding="utf-8")
     done = run(BIN / "wrc_sweep", "s.toml", "--out", "study", "--quiet", folder=folder)
     found = set()
-    if f"  1 scene: {text}" in done.stderr.splitlines() and "1 of 1 scene" in done.stderr:
+    if any(line.endswith(f": 1 scene: {text}") for line in done.stderr.splitlines()) and "1 of 1 scene" in done.stderr:
         found.add("wrc_sweep")
     row = next(csv.DictReader((folder / "study/s.csv").read_text(encoding="utf-8").splitlines()))
     told = row["warnings"].split(" | ")
