@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "base/warning.hpp"
 #include "grid_contact.hpp"
 #include "half_space/displacement_operator.hpp"
 #include "pressure/contact_area.hpp"
+#include "results/grade.hpp"
 
 namespace {
 
@@ -125,7 +127,8 @@ wrc::Warnings warnings_of(const wrc::PressureRegion& contact) {
     warnings.push_back({wrc::WarningClass::accuracy,
                         "contact covers " + std::to_string(rows) + " x " + std::to_string(columns) +
                             " elements, lateral by longitudinal: too few for its pressures; use "
-                            "smaller elements"});
+                            "smaller elements",
+                        std::numeric_limits<double>::infinity()});
   }
   return warnings;
 }
@@ -139,6 +142,9 @@ const char* listed_text(const NormalResult& result, std::string_view name) {
     }
     if (name == "warning_classes." + std::to_string(i)) {
       return wrc::name_of(warning.kind).data();
+    }
+    if (name == "warning_grades." + std::to_string(i)) {
+      return wrc::name_of(wrc::grade_of(warning)).data();
     }
   }
   return nullptr;
@@ -163,6 +169,7 @@ constexpr auto normal_numbers = std::to_array<NormalNumber>({
               static_cast<double>(grid_of(result).element_count());
      }},
     {"iterations", [](NormalResult& result) { return double(result.solution.iterations); }},
+    {"grade", [](NormalResult& result) { return double(wrc::grade_of(result.warnings)); }},
     {"warning_count", [](NormalResult& result) { return double(result.warnings.size()); }},
     {"residuals.load_balance",
      [](NormalResult& result) { return residuals_of(result).load_balance; }},
@@ -284,7 +291,7 @@ wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const char** va
     }
     if (text == nullptr) {
       wrc::refuse_name("text", normal_contact, name,
-                       "stop_reason, warnings.0 ..., warning_classes.0 ...");
+                       "stop_reason, warnings.0 ..., warning_classes.0 ..., warning_grades.0 ...");
     }
     *value = text;
     return WRC_OK;

@@ -89,6 +89,7 @@ void normal(int result_count, mxArray** result, int count, const mxArray* const*
                                         "residuals.load_balance",
                                         "residuals.least_gap",
                                         "residuals.complementarity",
+                                        "grade",
                                         NULL};
   static const char* const fields[] = {"pressure", "displacement", NULL};
   (void)result_count;
@@ -100,22 +101,24 @@ void normal(int result_count, mxArray** result, int count, const mxArray* const*
   mxSetFieldByNumber(result[0], 0, mxAddField(result[0], "stop_reason"), mxCreateString(reason));
   double count_of_warnings = 0.0;
   check(wrc_normal_number(open_handles.normal, "warning_count", &count_of_warnings));
-  mxArray* texts = mxCreateCellMatrix((mwSize)count_of_warnings, 1);
-  mxArray* kinds = mxCreateCellMatrix((mwSize)count_of_warnings, 1);
-  for (int i = 0; i < (int)count_of_warnings; ++i) {
-    char name[32];
-    const char* kind = NULL;
-    const char* text = NULL;
-    snprintf(name, sizeof name, "warning_classes.%d", i);
-    check(wrc_normal_text(open_handles.normal, name, &kind));
-    snprintf(name, sizeof name, "warnings.%d", i);
-    check(wrc_normal_text(open_handles.normal, name, &text));
-    warn_as(kind, text);
-    mxSetCell(texts, (mwIndex)i, mxCreateString(text));
-    mxSetCell(kinds, (mwIndex)i, mxCreateString(kind));
+  static const char* const lists[] = {"warnings", "warning_classes", "warning_grades"};
+  mxArray* made[3];
+  for (int k = 0; k < 3; ++k) {
+    made[k] = mxCreateCellMatrix((mwSize)count_of_warnings, 1);
   }
-  mxSetFieldByNumber(result[0], 0, mxAddField(result[0], "warnings"), texts);
-  mxSetFieldByNumber(result[0], 0, mxAddField(result[0], "warning_classes"), kinds);
+  for (int i = 0; i < (int)count_of_warnings; ++i) {
+    const char* texts[3] = {NULL};
+    for (int k = 0; k < 3; ++k) {
+      char name[32];
+      snprintf(name, sizeof name, "%s.%d", lists[k], i);
+      check(wrc_normal_text(open_handles.normal, name, &texts[k]));
+      mxSetCell(made[k], (mwIndex)i, mxCreateString(texts[k]));
+    }
+    warn_as(texts[1], texts[0]);
+  }
+  for (int k = 0; k < 3; ++k) {
+    mxSetFieldByNumber(result[0], 0, mxAddField(result[0], lists[k]), made[k]);
+  }
 }
 
 void rolling(int result_count, mxArray** result, int count, const mxArray* const* values) {

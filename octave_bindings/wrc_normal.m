@@ -11,7 +11,7 @@ function result = wrc_normal (distance, steps, varargin)
 %
 %   r.pressure (MPa), r.displacement (mm), r.approach, r.normal_force, r.area, r.pmax, ...,
 %   r.load_balance, r.least_gap and r.complementarity (residuals of the solution), stop_reason,
-%   r.warnings and r.warning_classes, which are raised as by wrc_solve.
+%   r.grade, r.warnings, r.warning_classes and r.warning_grades, which are raised as by wrc_solve.
 %   Errors: see wrc_solve.
 %
 %   Example: a sphere of 500 mm radius on a plane

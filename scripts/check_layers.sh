@@ -55,7 +55,7 @@ room derivatives base half_space geometry patches remesh mechanics records creep
 room keys base profile measured half_space geometry mechanics rolling records
 room scene base profile measured pressure geometry records results creep wheel derivatives keys
 room table base geometry rolling records results keys scene
-check c_api 'base/|profile/|measured/|half_space/|pressure/|mechanics/|rolling/|keys/|scene/|table/|(batch|handles|handle_table|grid_contact|floating_point)\.hpp|wrcontact(_grid|_table)?\.h'
+check c_api 'base/|profile/|measured/|half_space/|pressure/|mechanics/|rolling/|results/|keys/|scene/|table/|(batch|handles|handle_table|grid_contact|floating_point)\.hpp|wrcontact(_grid|_table)?\.h'
 check octave_bindings 'wrc_mex\.h'
 # Evidence about the core sees the core, and draws its cases as the tests of the core do.
 check drivers/evidence/core 'arguments\.hpp|base/|profile/|measured/|damage/|mechanics/|rolling/|results/|derivatives/|scene/|core/|support/(conformal_disc|energy_pairs|no_slip_samples|patch_problem|random_wheels|state_differences)\.hpp'

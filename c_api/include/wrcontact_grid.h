@@ -84,6 +84,7 @@ WRC_API wrc_status wrc_normal_solve(wrc_normal* normal);
  *   "pmax_element"  MPa, largest element
  *   "fill"          fraction of the elements under pressure, 0 to 1
  *   "iterations"    of all grids the solver went through
+ *   "grade"         the worst grade of the warnings, WRC_FINE to WRC_DO_NOT_USE (wrcontact.h)
  *   "warning_count" how many texts "warnings.0", ... there are (wrc_normal_text)
  *   "residuals.load_balance", "residuals.least_gap", "residuals.complementarity"
  *                   how well the problem is solved, recomputed in double precision when first
@@ -96,7 +97,8 @@ WRC_API wrc_status wrc_normal_number(wrc_normal* normal, const char* name, doubl
 /**
  * "stop_reason": "tolerance_met", "iteration_limit" or "stagnation". "warnings.0", "warnings.1",
  * ...: what is doubtful of the result, and "warning_classes.0", ... the class of each, "grid_edge"
- * of a contact that reaches the edge of the grid, "accuracy" of one on too few elements
+ * of a contact that reaches the edge of the grid, "accuracy" of one on too few elements, and
+ * "warning_grades.0", ... the grade of each, "fine", "a little over" or "do not use"
  * (docs/warnings.md). Since 0.1, warnings since 0.3. WRC_NO_RESULT, WRC_UNKNOWN_NAME.
  */
 WRC_API wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const char** value);

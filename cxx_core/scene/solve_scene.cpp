@@ -377,7 +377,8 @@ void SceneSolver::State::solve_contact(const Scene& scene, const SceneSurfaces& 
 }
 
 /// Of creep forces with derivatives, once everything else is found. Where profiles vary, forces are
-/// solved a little behind on the path as well.
+/// solved a little behind on the path as well; where they cannot be, as before the first slice, the
+/// error is known only of a wheel on profiles that do not vary.
 void SceneSolver::State::find_steady_errors(const Scene& scene, const SceneSurfaces& surfaces,
                                             SceneResult& result) {
   if (!scene.steady_errors || !scene.derivatives || !scene.motion || scene.motion->speed == 0.0 ||
@@ -385,9 +386,10 @@ void SceneSolver::State::find_steady_errors(const Scene& scene, const SceneSurfa
     return;
   }
   std::optional<SceneResult> behind;
-  const bool is_prismatic = surfaces.left.pair().is_prismatic_along(along_track) &&
-                            surfaces.right.pair().is_prismatic_along(along_track);
-  const double distance = is_prismatic ? 0.0 : path_step * longest_contact(result);
+  const std::array<bool, 2> is_prismatic{surfaces.left.pair().is_prismatic_along(along_track),
+                                         surfaces.right.pair().is_prismatic_along(along_track)};
+  const double distance =
+      is_prismatic[0] && is_prismatic[1] ? 0.0 : path_step * longest_contact(result);
   if (distance > 0.0) {
     Scene before = scene;
     before.derivatives = false;
@@ -396,24 +398,25 @@ void SceneSolver::State::find_steady_errors(const Scene& scene, const SceneSurfa
     before.pitch -= result.pitch.value_or(0.0) * distance / std::abs(scene.motion->speed);
     try {
       behind = solve(before);
-    } catch (const Error& error) { // before the first slice, say: the error is not known
+    } catch (const Error& error) {
       if (error.code() == ErrorCode::out_of_memory) {
         throw;
       }
-      return;
     }
   }
-  for (const auto& [wheel, other] : {std::pair(&result.left, behind ? &behind->left : nullptr),
-                                     {&result.right, behind ? &behind->right : nullptr}}) {
-    const WheelRates* const rates =
-        *wheel && (*wheel)->solved ? (*wheel)->sensitivities() : nullptr;
-    if (rates != nullptr) {
-      wrc::find_steady_errors(**wheel, *rates,
-                              other != nullptr && *other
-                                  ? std::optional(WheelBehind{**other, distance})
-                                  : std::nullopt);
-      warn_of_steady_forces(**wheel, scene.accuracy);
+  for (const bool side : {false, true}) {
+    std::optional<SceneWheel> SceneResult::*const member =
+        side ? &SceneResult::right : &SceneResult::left;
+    std::optional<SceneWheel>& wheel = result.*member;
+    const WheelRates* const rates = wheel && wheel->solved ? wheel->sensitivities() : nullptr;
+    if (rates == nullptr || (distance > 0.0 && !behind && !is_prismatic[side])) {
+      continue;
     }
+    const std::optional<SceneWheel>* other = behind ? &((*behind).*member) : nullptr;
+    wrc::find_steady_errors(
+        *wheel, *rates,
+        other != nullptr && *other ? std::optional(WheelBehind{**other, distance}) : std::nullopt);
+    warn_of_steady_forces(*wheel, scene.accuracy);
   }
 }
 

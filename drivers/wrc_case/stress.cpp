@@ -42,8 +42,10 @@ void write_stress_vtk(const Scene& scene, const std::filesystem::path& path) {
     }
   }
   if (grid.points.empty()) {
-    throw Failure("--stress " + path.string() +
-                  ": there are no stresses, since no wheel is in contact");
+    throw Failure(
+        "--stress " + path.string() +
+        ": there are no stresses: no wheel is in contact, or the end of a body leaves its "
+        "pressures without a bound");
   }
   VtkFile file(path,
                "wrcontact: x y z in mm (track frame), stresses in MPa in the patch's plane, z into "

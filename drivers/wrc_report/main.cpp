@@ -123,6 +123,14 @@ std::vector<std::string> in_brief(const Scene& centre, const std::vector<Positio
                     general(positions.back().lateral) + " mm: " + fixed(most->pmax, 0) +
                     " MPa, at y = " + general(most->lateral) + " mm.");
   }
+  const auto unbounded = std::ranges::count_if(
+      positions, [](const Position& one) { return std::isnan(one.pmax) && !one.bands.empty(); });
+  if (unbounded > 0) {
+    brief.push_back(
+        "Positions where the end of a profile cuts the contact, whose pressures have no "
+        "bound: " +
+        std::to_string(unbounded) + '.');
+  }
   brief.push_back("Contact band on the wheel: s = " +
                   extent_text(positions, &PressedBand::s_from, &PressedBand::s_to) +
                   " from the taping line, positive to the field side.");

@@ -87,7 +87,8 @@ json side(const Scene& scene, const std::string& name) {
        {"pmax", "area", "patch_count", "normal_force", "total.force.x", "total.force.y",
         "total.force.z", "total.moment.z", "angle", "rigid_contact.y", "rigid_contact.z",
         "rigid_contact.rolling_radius"}) {
-    if (scene.has_number(name + '.' + number)) {
+    if (scene.has_number(name + '.' + number) &&
+        std::isfinite(scene.number(name + '.' + number))) { // no pmax of a contact that is cut
       made[number] = scene.number(name + '.' + number);
     }
   }

@@ -17,7 +17,8 @@ struct Cell {
   std::vector<std::string> maps; ///< blocks of data
   Range lateral;                 ///< extent of all maps
   Range longitudinal;
-  double pmax = std::numeric_limits<double>::quiet_NaN();
+  double pmax = std::numeric_limits<double>::quiet_NaN(); ///< also where it has no bound
+  double highest = 0.0;                                   ///< of the elements drawn
   bool spoiled = false;
 };
 
@@ -81,6 +82,7 @@ public:
         cell.longitudinal.include(x_[i]);
         out << s << ' ' << x_[i] << ' ';
         if (pressure_[i] > 0.0) {
+          cell.highest = std::max(cell.highest, pressure_[i]);
           out << pressure_[i] << '\n';
         } else {
           out << "NaN\n";
@@ -162,6 +164,7 @@ struct Layout {
 
   /// `letters`: of the longest label beside the rows.
   Layout(const std::vector<MapRow>& rows, std::size_t columns, std::size_t letters) {
+    double highest = 0.0;
     for (const MapRow& row : rows) {
       for (const Cell& cell : row.cells) {
         if (!cell.maps.empty()) {
@@ -169,8 +172,10 @@ struct Layout {
           cell_height = std::max(cell_height, cell.longitudinal.length());
         }
         pmax = std::isnan(cell.pmax) ? pmax : std::max(pmax, cell.pmax);
+        highest = std::max(highest, cell.highest);
       }
     }
+    pmax = pmax > 0.0 ? pmax : highest;
     cell_width += 3.0;
     cell_height += 8.0;
     width = cell_width * static_cast<double>(columns);
@@ -190,7 +195,7 @@ struct Layout {
   double cell_height = 4.0;
   double width = 0.0; ///< of all cells
   double height = 0.0;
-  double pmax = 0.0;
+  double pmax = 0.0; ///< of the scale: of all cells, or of elements where none has a bound
 };
 
 void write_frame(std::ostream& out, const PictureRequest& picture, const Layout& layout) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "reports/warning_summary.hpp"
 #include "support/output_file.hpp"
 #include "support/program.hpp"
 #include "support/scene_file.hpp"
@@ -37,6 +38,19 @@ std::string percent(double share) {
   std::ostringstream text;
   text << std::setprecision(3) << 100.0 * share << " %";
   return text.str();
+}
+
+/// What is doubtful of the scene, on stderr: of its profiles above all, since the table has loads
+/// and positions of its own. What cannot be solved is left to the table, which may be able to.
+void print_warnings(driver::Scene& scene) {
+  try {
+    scene.solve();
+  } catch (const wrcontact::Error&) {
+    return;
+  }
+  for (const std::string& line : driver::lines_of(driver::warnings_of(scene))) {
+    std::cerr << line << '\n';
+  }
 }
 
 void print_facts(const wrcontact::Table& table) {
@@ -139,6 +153,7 @@ int main(int argc, char** argv) {
     driver::refuse_overwriting({path}, {scene_file});
     check_path(path);
     const auto start = std::chrono::steady_clock::now();
+    print_warnings(scene);
     table.build(scene, options, Tenths());
     table.save(path);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;

@@ -18,7 +18,6 @@ _NUMBER = re.compile(r"(?<![^ (),;:])[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?(?![^ 
 _MOST_KINDS = 20
 GRADES = ("fine", "a little over", "do not use")
 _OVER = GRADES.index("a little over")
-DO_NOT_USE = GRADES.index("do not use")
 
 Graded = tuple[int, str]  # a warning: its grade, an index of GRADES, and its text
 

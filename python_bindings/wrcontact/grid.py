@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from ._handle import Handle, encoded
 from ._interface import ffi
 from ._library import Array, doubles, lib, pointer, string
-from ._warnings import DO_NOT_USE, warn
+from ._warnings import GRADES, warn
 from .errors import InvalidArgument, NotConverged, UnknownName
 
 Self = TypeVar("Self", bound="GridContact")
@@ -133,9 +133,17 @@ class NormalContact(GridContact):
 
     def solve(self: Self) -> Self:
         """As GridContact.solve, with its warnings."""
-        super().solve()
-        warn([(DO_NOT_USE, text) for text in self.warnings])
+        try:
+            super().solve()
+        except NotConverged:
+            self._warn()
+            raise
+        self._warn()
         return self
+
+    def _warn(self) -> None:
+        warn([(GRADES.index(self[f"warning_grades.{index}"]), text)
+              for index, text in enumerate(self.warnings)])
 
     @property
     def warnings(self) -> list[str]:

@@ -66,7 +66,7 @@ def draw_result(result: Result, path: str | os.PathLike[str] | None) -> Any:
     """Profiles, pressures and, where there are creep forces, tractions of each wheel."""
     sides = [side for side in ("left", "right") if side in result._groups]
     names = result._names
-    pressures = any(result[side].pmax > 0.0 for side in sides)
+    pressures = any(result[side].pmax != 0.0 for side in sides)  # not a number of a contact that is cut
     tractions = any(name.endswith(".traction_max") for name in names)
     figure, axes = _figure(1 + pressures + tractions, len(sides), (6.2, 4.6))
     units = str(result["units"]).split(", ")
@@ -172,13 +172,16 @@ def _draw_pressures(figure: Any, axes: Any, result: Result, side: str, units: li
     wheel, patches = result[side], _patches(result, side)
     title = f"{side} wheel: no contact"
     places = _developed(patches)
+    is_bounded = np.isfinite(wheel.pmax)
+    highest = wheel.pmax if is_bounded else max((patch.pressure.max() for patch in patches), default=0.0)
+    peak = f"{wheel.pmax:.5g} {units[2]}" if is_bounded else "without bound"
     for patch in patches:
         lateral = places[patch._prefix] + _in_plane(patch, patch.field("y"), patch.field("z"))
         lateral[:] = lateral.mean(axis=1, keepdims=True)  # without rounding, of which matplotlib warns
         pressure = np.where(patch.pressure > 0.0, patch.pressure, np.nan)
-        mesh = axes.pcolormesh(lateral, patch.field("x"), pressure, vmin=0.0, vmax=wheel.pmax,
+        mesh = axes.pcolormesh(lateral, patch.field("x"), pressure, vmin=0.0, vmax=highest,
                                cmap=_pressure_colours(), shading="nearest")
-        title = f"pmax {wheel.pmax:.5g} {units[2]}, area {wheel.area:.4g} {units[0]}$^2$"
+        title = f"pmax {peak}, area {wheel.area:.4g} {units[0]}$^2$"
     if patches:
         figure.colorbar(mesh, ax=axes, label=f"pressure, {units[2]}")
     _frame(axes, units, title)

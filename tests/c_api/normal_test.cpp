@@ -370,10 +370,14 @@ std::vector<std::string> warnings_of(wrc_normal* normal) {
               WRC_OK);
     EXPECT_EQ(wrc_normal_text(normal, ("warnings." + std::to_string(i)).c_str(), &text), WRC_OK);
     warnings.push_back(kind + std::string(": ") + text);
+    EXPECT_EQ(wrc_normal_text(normal, ("warning_grades." + std::to_string(i)).c_str(), &text),
+              WRC_OK);
+    EXPECT_STREQ(text, "do not use");
   }
   const char* text = nullptr;
   EXPECT_EQ(wrc_normal_text(normal, ("warnings." + std::to_string(warnings.size())).c_str(), &text),
             WRC_UNKNOWN_NAME);
+  EXPECT_EQ(number_of(normal, "grade"), warnings.empty() ? WRC_FINE : WRC_DO_NOT_USE);
   return warnings;
 }
 

@@ -66,15 +66,19 @@ TEST_F(Crossing, CarriesTheLoadAtContinuousHeights) {
   EXPECT_LT(table.numbers("vertical")[11], table.numbers("vertical")[0] - 0.4) << "the dip";
 }
 
+/// What a page draws.
+nlohmann::json data_of(const std::string& page) {
+  const std::string mark = "const data = ";
+  const std::size_t begin = page.find(mark) + mark.size();
+  return nlohmann::json::parse(page.substr(begin, page.find('\n', begin) - begin - 1));
+}
+
 /// The outline is that of all parts of the rail at the wheelset.
 TEST_F(Crossing, OutlinesShowNoseAndWing) {
   const Outcome outcome =
       run("crossing --page p.html --set 'pose.longitudinal=[-500, 300]' --set solve.creep=none");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-  const std::string page = read("p.html");
-  const std::string mark = "const data = ";
-  const std::size_t begin = page.find(mark) + mark.size();
-  const auto data = nlohmann::json::parse(page.substr(begin, page.find('\n', begin) - begin - 1));
+  const auto data = data_of(read("p.html"));
   const auto width = [&](std::size_t scene) {
     const auto& rail = data["scenes"][scene]["left"]["rail"];
     double low = rail[0];
@@ -88,6 +92,17 @@ TEST_F(Crossing, OutlinesShowNoseAndWing) {
   constexpr double wing_end = (300.0 + 369.0) / 9.0 + 72.0;
   EXPECT_NEAR(width(0), 74.0, 2.0);
   EXPECT_NEAR(width(1), wing_end, 4.0);
+}
+
+/// A number that the end of a part leaves without a bound is left out, which the page can show.
+TEST_F(Crossing, PageLeavesOutWhatHasNoBound) {
+  const Outcome outcome =
+      run("crossing --page p.html --set 'pose.longitudinal=[999, 999.5]' --set solve.creep=none");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  for (const auto& scene : data_of(read("p.html"))["scenes"]) {
+    EXPECT_TRUE(scene["left"].contains("area") && scene["right"].contains("pmax"));
+    EXPECT_FALSE(scene["left"].contains("pmax"));
+  }
 }
 
 /// Results know the slices that they depend on.

@@ -95,4 +95,13 @@ def test_a_cut_contact_and_one_on_few_elements_warn():
     gap = np.add.outer(place**2, place**2) / 200.0
     with pytest.warns(wrcontact.ContactWarning, match="covers 1 x 1 elements"):
         few = wrcontact.NormalContact(gap, 1.0, 1.0, normal_load=1.0, elements="constant").solve()
-    assert few["warning_classes.0"] == "accuracy"
+    assert few["warning_classes.0"] == "accuracy" and few["warning_grades.0"] == "do not use"
+    assert few["grade"] == 2
+
+
+def test_what_has_not_converged_warns_too():
+    place = (np.arange(20) - 9.5) * 0.5
+    contact = wrcontact.NormalContact(np.add.outer((place + 3.0) ** 2, place**2) / 600.0, 0.5, 0.5, normal_load=2e4,
+                                      maximum_iterations=1)
+    with pytest.warns(wrcontact.ContactWarning, match="edge of the grid"), pytest.raises(wrcontact.NotConverged):
+        contact.solve()

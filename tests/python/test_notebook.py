@@ -138,3 +138,14 @@ def test_the_notebook_of_the_examples_runs(tmp_path, monkeypatch):
             assert cell["outputs"] == []
             exec("".join(cell["source"]), names)
     assert names["frame"].shape[0] >= 2 and (names["data"].status == 0).all()
+
+
+def test_a_contact_that_the_end_of_a_rail_cuts_is_drawn():
+    figure_module = pytest.importorskip("matplotlib.figure")
+    scene = wrcontact.Scene(accuracy=1e-2, side="left", longitudinal=999)
+    scene["track.left.rail"] = str(PROJECT / "drivers/studies/crossing/crossing.slcs")
+    with pytest.warns(wrcontact.ContactWarning, match="no bound"):
+        result = scene.solve()
+    axes = figure_module.Figure().subplots()
+    result.plot(ax=axes, panel="pressures", side="left")
+    assert axes.get_title().startswith("pmax without bound")

@@ -70,6 +70,21 @@ TEST_F(VaryingScene, RefusesPlacesWithoutARail) {
   EXPECT_NO_THROW((void)solve_scene(scene));
 }
 
+/// Where the path behind has no rail, the error of steady forces is known of the other wheel only.
+TEST_F(VaryingScene, ErrorOfSteadyForcesNeedsTheRailBehind) {
+  Scene scene = scene_on(wavy_rail());
+  scene.right.rail.name = "60E1";
+  scene.motion = Motion{};
+  scene.motion->speed = 10000.0;
+  scene.derivatives = true;
+  scene.along = -119.99;
+  const SceneResult at_its_end = solve_scene(scene);
+  EXPECT_FALSE(at_its_end.left->patches.front().creep->steady_error);
+  EXPECT_TRUE(at_its_end.right->patches.front().creep->steady_error);
+  scene.along = -100.0;
+  EXPECT_TRUE(solve_scene(scene).left->patches.front().creep->steady_error);
+}
+
 Scene level_on(const std::string& rail) {
   Scene scene = scene_on(rail);
   scene.lateral = scene.yaw = scene.along = 0.0;
