@@ -22,6 +22,10 @@ inline constexpr double hardest_steel = 440.0 * 9.80665;
 /// Combined modulus above which bodies are no steel, MPa.
 /// origin: derived: of two steels of 230 GPa and 0.3; steels have 190 to 220 GPa.
 inline constexpr double stiffest_steel = 0.5 * 230e3 / (1.0 - 0.3 * 0.3);
+/// Pressure that no stiffer body carries, MPa.
+/// origin: derived: silicon nitride of the hardest balls, 16 GPa after Vickers (ISO 26602), flows
+/// under a largest pressure of 1.6 times its yield stress, a third of that: 9 GPa.
+inline constexpr double hardest_ceramic = 1e4;
 
 /// Error of depth and place of a contact that the end of a body cuts, for an element across the end
 /// of the length of the contact's semi-axis.

@@ -55,8 +55,9 @@ std::optional<int> wheel_state(const WheelResult& wheel, std::optional<double> y
 }
 
 void warn_of_pressure(WheelResult& wheel) {
-  if (wheel.is_cut || !(wheel.pmax > hardest_steel) ||
-      wheel.details.request.combined_modulus > stiffest_steel) {
+  const bool is_steel = !(wheel.details.request.combined_modulus > stiffest_steel);
+  const double limit = is_steel ? hardest_steel : hardest_ceramic;
+  if (wheel.is_cut || !(wheel.pmax > limit)) {
     return;
   }
   const auto pressed = std::max_element(
@@ -66,8 +67,9 @@ void warn_of_pressure(WheelResult& wheel) {
   wheel.warnings.push_back({WarningClass::pressure,
                             of_patch(wheel, index) + "the largest pressure, " +
                                 text_of(std::round(wheel.pmax)) +
-                                " MPa, is more than steel can carry: the hardest rails flow at " +
-                                text_of(std::round(hardest_steel)) +
+                                (is_steel ? " MPa, is more than steel can carry: the hardest rails"
+                                          : " MPa, is more than any body can carry: hard ceramics") +
+                                " flow at " + text_of(std::round(limit)) +
                                 " MPa, so real pressures are lower and the contact is larger"});
 }
 

@@ -27,7 +27,8 @@ enum WheelState : int {
 /// The flags together; none if the mechanics have not run. `yield_pressure`: none without a limit.
 std::optional<int> wheel_state(const WheelResult& wheel, std::optional<double> yield_pressure);
 
-/// Warns of a largest pressure that no steel of wheels and rails carries; none of stiffer bodies.
+/// Warns of a largest pressure that no steel of wheels and rails carries; of stiffer bodies, of one
+/// that no ceramic does.
 void warn_of_pressure(WheelResult& wheel);
 
 } // namespace wrc

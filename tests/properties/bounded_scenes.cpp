@@ -1,14 +1,15 @@
 // Solves random scenes with creep forces, each in a process of its own, and checks that each ends
-// in a result or a status, that every number and field of it is finite, and that no grid has more
-// elements than solve.element_limit permits.
+// in a result or a status, that every number and field of it is finite, that no grid has more
+// elements than solve.element_limit permits, and that pressures no steel carries are not to be
+// used.
 //
 // Usage: bounded_scenes loaded|posed|varying COUNT SEED [FIRST]
 // Varying: on rails along the track and under wheels around the circumference (varying_scene.hpp).
 // Prints arguments of wrc_case for each failure and for each scene beyond 2 s of processor time or
 // 500 MB; the folder takes scene files of those with profiles made of points. At the end: counts by
-// status, failures, results that are not finite, the slowest scene and the one with the most memory
-// and elements. Exits with 1 on failures, to which time and memory do not count. A single scene is
-// solved in this process, for a debugger.
+// status, failures, results that are not finite, scenes that take more than 30 times the median,
+// the slowest scene and the one with the most memory and elements. Exits with 1 on failures, to
+// which time and memory do not count. A single scene is solved in this process, for a debugger.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,6 +18,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -25,6 +27,7 @@
 #include <unistd.h>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "outcome.hpp"
 #include "rolling_scene.hpp"
@@ -37,6 +40,8 @@ using namespace properties;
 constexpr double long_time = 2.0;     // s
 constexpr double much_memory = 500.0; // MB
 constexpr double longest = 120.0;     // s, a hang
+constexpr double much_longer = 30.0;  // times the median
+constexpr double high_pressure = 1e4; // MPa
 constexpr const char* limit_key = "solve.element_limit";
 
 /// What a process tells of its scene.
@@ -120,6 +125,15 @@ void check_numbers(const wrcontact::Scene& scene, Told& told) {
   }
 }
 
+void check_peak(const wrcontact::Scene& scene, const std::string& side, Told& told) {
+  double pmax = 0.0;
+  if (wrc_scene_number(scene.handle(), (side + ".pmax").c_str(), &pmax) == WRC_OK &&
+      pmax > high_pressure && scene.number(side + ".grade") != WRC_DO_NOT_USE) {
+    copy_text(side + ".pmax = " + std::to_string(pmax) + " MPa with a grade to be used",
+              told.wrong);
+  }
+}
+
 Told solve(const DrawnScene& drawn) {
   Told told;
   try {
@@ -137,6 +151,7 @@ Told solve(const DrawnScene& drawn) {
       for (const char* side : {"left", "right"}) {
         if (solved == "both" || solved == side) {
           check_elements(scene, drawn, side, told);
+          check_peak(scene, side, told);
         }
       }
       check_numbers(scene, told);
@@ -248,6 +263,7 @@ int main(int argc, char** argv) {
   long beyond = 0;
   double not_finite = 0.0;
   std::array<Most, 3> most;
+  std::vector<std::pair<double, long>> times;
   for (long i = begin; i < begin + count; ++i) {
     const std::uint64_t of_scene = seed * 1000000007ULL + static_cast<std::uint64_t>(i);
     const DrawnScene drawn = lists             ? lists->scene(of_scene)
@@ -256,6 +272,7 @@ int main(int argc, char** argv) {
     const std::string name = kind + '_' + std::to_string(seed) + '_' + std::to_string(i) + ".toml";
     const Solved solved = count == 1 ? Solved{solve(drawn)} : solve_apart(drawn);
     const Told& told = solved.told;
+    times.emplace_back(solved.seconds, i);
     ++statuses[told.status.data()];
     not_finite += told.not_finite;
     const bool wrong = told.wrong[0] != '\0';
@@ -275,9 +292,18 @@ int main(int argc, char** argv) {
       }
     }
   }
-  for (const auto& [text, times] : statuses) {
-    std::printf("%ld %s\n", times, text.c_str());
+  for (const auto& [text, scenes] : statuses) {
+    std::printf("%ld %s\n", scenes, text.c_str());
   }
+  std::ranges::sort(times, std::greater{});
+  const double median = times[times.size() / 2].first;
+  std::printf("median %.4g s; longer than %g times that:", median, much_longer);
+  for (const auto& [seconds, scene] : times) {
+    if (seconds > much_longer * median) {
+      std::printf(" %ld (%.2g s)", scene, seconds);
+    }
+  }
+  std::printf("\n");
   constexpr std::array names{"slowest, s", "most memory, MB", "most elements"};
   for (std::size_t k = 0; k < names.size(); ++k) {
     std::printf("%s: %.4g, scene %ld\n  %s\n", names.at(k), most.at(k).value, most.at(k).scene,

@@ -81,6 +81,10 @@ TEST(WheelWarnings, PressuresBeyondSteelAreReportedWithTheirPatch) {
   wheel.details.request.combined_modulus = 1.001 * stiffest_steel;
   warn_of_pressure(wheel);
   EXPECT_TRUE(wheel.warnings.empty()) << "stiffer than steel";
+  wheel.pmax = 1.001 * hardest_ceramic;
+  warn_of_pressure(wheel);
+  ASSERT_EQ(wheel.warnings.size(), 1U);
+  EXPECT_NE(wheel.warnings.front().text.find("hard ceramics flow at 10000 MPa"), std::string::npos);
 }
 
 } // namespace
