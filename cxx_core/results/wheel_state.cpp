@@ -64,13 +64,13 @@ void warn_of_pressure(WheelResult& wheel) {
       wheel.patches.begin(), wheel.patches.end(),
       [](const PatchResult& one, const PatchResult& other) { return one.pmax < other.pmax; });
   const auto index = static_cast<std::size_t>(pressed - wheel.patches.begin());
-  wheel.warnings.push_back({WarningClass::pressure,
-                            of_patch(wheel, index) + "the largest pressure, " +
-                                text_of(std::round(wheel.pmax)) +
-                                (is_steel ? " MPa, is more than steel can carry: the hardest rails"
-                                          : " MPa, is more than any body can carry: hard ceramics") +
-                                " flow at " + text_of(std::round(limit)) +
-                                " MPa, so real pressures are lower and the contact is larger"});
+  wheel.warnings.push_back(
+      {WarningClass::pressure,
+       of_patch(wheel, index) + "the largest pressure, " + text_of(std::round(wheel.pmax)) +
+           (is_steel ? " MPa, is more than steel can carry: the hardest rails"
+                     : " MPa, is more than any body can carry: hard ceramics") +
+           " flow at " + text_of(std::round(limit)) +
+           " MPa, so real pressures are lower and the contact is larger"});
 }
 
 } // namespace wrc
