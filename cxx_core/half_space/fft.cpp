@@ -12,6 +12,9 @@
 #include <vector>
 
 #include <fftw3.h>
+#if !defined(_WIN32)
+#include <dlfcn.h>
+#endif
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -139,6 +142,64 @@ template <typename Real> typename Library<Real>::Complex* fftw_of(std::complex<R
   return reinterpret_cast<typename Library<Real>::Complex*>(values);
 }
 
+#if !defined(_WIN32)
+/// How many threads the planner gives to plans of one precision: a setting of the host's, in
+/// FFTW's library of threads. With several, the last bits of results are others, and a child of
+/// fork waits for threads that it does not have.
+class PlannerThreads {
+public:
+  /// `execute`: our FFTW's; a library of threads that belongs to another FFTW is left alone.
+  PlannerThreads(const std::string& prefix, const std::string& library, void* execute) {
+    // That which the host's own calls reach, else one that it has loaded for itself.
+    take(RTLD_DEFAULT, prefix, execute);
+    for (const char* kind : {"_threads", "_omp"}) {
+      if (set_ == nullptr) {
+        loaded_.reset(dlopen((library + kind + ".so.3").c_str(), RTLD_LAZY | RTLD_NOLOAD));
+        if (loaded_ != nullptr) {
+          take(loaded_.get(), prefix, execute);
+        }
+      }
+    }
+    count_ = set_ != nullptr ? get_() : 1;
+    if (count_ > 1) { // not without need: it starts FFTW's threads
+      set_(1);
+    }
+  }
+  ~PlannerThreads() {
+    if (count_ > 1) {
+      set_(count_);
+    }
+  }
+  PlannerThreads(const PlannerThreads&) = delete;
+  PlannerThreads& operator=(const PlannerThreads&) = delete;
+
+private:
+  void take(void* from, const std::string& prefix, void* execute) {
+    const auto find = [&](const char* name) { return dlsym(from, (prefix + name).c_str()); };
+    get_ = reinterpret_cast<int (*)()>(find("_planner_nthreads")); // since FFTW 3.3.9
+    set_ = get_ != nullptr && find("_execute") == execute
+               ? reinterpret_cast<void (*)(int)>(find("_plan_with_nthreads"))
+               : nullptr;
+  }
+
+  struct Close {
+    void operator()(void* library) const { dlclose(library); }
+  };
+  std::unique_ptr<void, Close> loaded_;
+  int (*get_)() = nullptr;
+  void (*set_)(int) = nullptr;
+  int count_ = 1;
+};
+
+/// While it lives, plans of both precisions have one thread. Under the planner's lock.
+struct OneThread {
+  PlannerThreads wide{"fftw", "libfftw3", reinterpret_cast<void*>(&fftw_execute)};
+  PlannerThreads narrow{"fftwf", "libfftw3f", reinterpret_cast<void*>(&fftwf_execute)};
+};
+#else
+struct OneThread {}; // FFTW belongs to the library there
+#endif
+
 /// Lines from this length on are fast one by one.
 /// origin: measured: single-precision lines of 12 to 32 values take 24 to 72 ns each in blocks,
 /// 83 to 230 ns one by one (docs/performance.md).
@@ -261,6 +322,7 @@ template <typename Real> void LineFft<Real>::plan(std::size_t length, PlannerRig
     }
     return made;
   };
+  const OneThread one_thread;
   require_memory(memory_of_tables + 4 * memory_of_plan + length * memory_per_value);
   own.forward = plan(1, FFTW_FORWARD);
   own.backward = plan(1, FFTW_BACKWARD);
@@ -380,6 +442,7 @@ double measure_transform(std::size_t rows, std::size_t columns, int repeats) {
   Plan<double> backward;
   {
     const PlanningGuard guard(planner());
+    const OneThread one_thread;
     require_memory(memory_of_tables + 2 * memory_of_plan + (rows + columns) * memory_per_value);
     forward.reset(fftw_plan_dft_r2c_2d(height, width, field.data(), fftw_of(spectrum.data()),
                                        FFTW_ESTIMATE | FFTW_PRESERVE_INPUT));
