@@ -16,7 +16,7 @@ from .errors import (AccuracyNote, Busy, ContactWarning, Error, FileMalformed, F
                      UnknownName)
 from .grid import NormalContact, RollingContact
 from .profile import Profile, ProfilePoint, standard_profiles
-from .result import Group, Result
+from .result import FrozenResult, Group, Result
 from .scene import Key, Scene, key_of, keys, solve
 from .solver import Equilibrium, History, Solver, Step, solve_batch
 from .study import study
@@ -24,7 +24,7 @@ from .table import Table, TableFacts
 
 __version__: str = _string(_lib.wrc_version())
 __all__ = [
-    "AccuracyNote", "Busy", "ContactWarning", "Equilibrium", "Error", "FileMalformed", "FileUnreadable", "Group", "History", "InternalError",
+    "AccuracyNote", "Busy", "ContactWarning", "Equilibrium", "Error", "FileMalformed", "FileUnreadable", "FrozenResult", "Group", "History", "InternalError",
     "InvalidArgument", "Key", "NoContact", "NoResult", "NormalContact", "NotConverged",
     "OutOfMemory", "Profile", "ProfilePoint", "Result", "RollingContact", "Scene", "Solver", "Step",
     "Table", "TableFacts", "TooSmall", "UnknownName", "key_of", "keys", "solve", "solve_batch", "standard_profiles",

@@ -32,6 +32,11 @@ class Handle:
         self._handle = ffi.gc(place[0], getattr(lib, f"wrc_{self._kind}_destroy"))
         self._error = getattr(lib, f"wrc_{self._kind}_error")
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Not pickled, and copied by copy.copy only where a class says how: a copy would be an alias."""
+        raise TypeError(f"a wrcontact.{type(self).__name__} cannot be copied or pickled: it holds a handle of the "
+                        "library; make another one where it is needed")
+
     def _check(self, status: int) -> None:
         if status != 0:
                 raise error_of(status, string(self._error(self._handle)))

@@ -35,7 +35,15 @@ def string(value: Any) -> str:
 
 
 def doubles(values: ArrayLike) -> Array:
-    """The values as the library reads them; the same memory if they are already so."""
+    """The values as the library reads them; the same memory if they are already so.
+
+    InvalidArgument for masked values, whose mask would be lost.
+    """
+    parts = values if isinstance(values, (list, tuple)) else [values]
+    if any(isinstance(part, np.ma.MaskedArray) and np.ma.is_masked(part) for part in parts):
+        from .errors import InvalidArgument
+
+        raise InvalidArgument("an array has masked values; allowed are arrays without: values[~values.mask]")
     return np.ascontiguousarray(values, dtype=np.float64)
 
 

@@ -27,6 +27,10 @@ class Error(Exception):
     status: int = -1
     result: Any = None
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickled without its result, which stays with its scene."""
+        return type(self), self.args, {"status": self.status}
+
 
 class InvalidArgument(Error, ValueError):
     """A value outside its permitted range; the text names it, its value and what is permitted."""

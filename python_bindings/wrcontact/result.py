@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from html import escape
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +11,7 @@ import numpy as np
 from ._handle import encoded
 from ._interface import ffi
 from ._library import Array, lib, pointer, string
-from ._warnings import GRADES, graded_warnings_of, warnings_of
+from ._warnings import GRADES, Graded, graded_warnings_of, warnings_of
 from .errors import NoResult, UnknownName
 
 if TYPE_CHECKING:
@@ -66,7 +66,6 @@ class Group:
     def field(self, name: str) -> Array:
         """A field by name, also where a number has the same one. UnknownName, NoResult."""
         full = self._prefix + name
-        self._result._live()
         return self._result._field(full, encoded(full))
 
     def __dir__(self) -> list[str]:
@@ -100,7 +99,8 @@ class Result(Group):
     """The solution of a scene: `result["left.pmax"]` or `result.left.pmax`.
 
     Names, units and signs: docs/results.md. A result is read from its scene, which it keeps alive;
-    once the scene is solved again, it is refused (NoResult): copy what is to be kept.
+    once the scene is solved again, it is refused (NoResult): `freeze()` copies what is to be kept, or
+    sent to another process.
     """
 
     __slots__ = ("scene", "_number", "_of_names", "_of_groups")
@@ -143,6 +143,7 @@ class Result(Group):
         self.scene._check(status)
 
     def _field(self, name: str, code: bytes) -> Array:
+        self._live()
         values = self.scene._copied(lib.wrc_scene_field, code)
         prefix, _, last = name.rpartition(".")
         if last.startswith("stress_"):
@@ -189,6 +190,21 @@ class Result(Group):
         `left.warnings` are those of the left wheel.
         """
         return warnings_of(self._live())
+
+    def _graded(self) -> list[Graded]:
+        return graded_warnings_of(self._live())
+
+    def freeze(self, fields: Iterable[str] = ()) -> FrozenResult:
+        """A copy of all numbers, texts and warnings, and of the fields named, without the scene.
+
+        It stays when the scene is solved again, and can be copied, pickled and sent to another
+        process. UnknownName.
+        """
+        return FrozenResult(self.to_dict(), {name: self[name] for name in fields}, self._graded())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        raise TypeError("a wrcontact.Result is read from its scene and cannot be copied or pickled; "
+                        "result.freeze() can")
 
     def to_dict(self) -> dict[str, float | str]:
         """All numbers and texts by name: a copy, which stays when the scene is solved again."""
@@ -257,9 +273,53 @@ class Result(Group):
         rows = [head, *_patch_rows(self)]
         table = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
         warnings = "".join(f"<li>{GRADES[grade]}: {escape(text)}</li>"
-                           for grade, text in graded_warnings_of(self._live()))
+                           for grade, text in self._graded())
         return (f"<p>{escape(_first_line(self))}</p><table>{table}</table>"
                 + (f"<p>Warnings:</p><ul>{warnings}</ul>" if warnings else ""))
+
+
+class FrozenResult(Result):
+    """What Result.freeze() keeps of a result; it is read in the same way, but not drawn."""
+
+    __slots__ = ("_kept", "_fields", "_warnings")
+
+    def __init__(self, kept: dict[str, float | str], fields: dict[str, Array], warnings: list[Graded]) -> None:
+        self._prefix = ""
+        self._kept, self._fields, self._warnings = kept, fields, warnings
+        self._of_names = dict.fromkeys(kept)
+        self._of_groups = None
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return FrozenResult, (self._kept, self._fields, self._warnings)
+
+    def freeze(self, fields: Iterable[str] = ()) -> FrozenResult:
+        """Itself, if it has the fields. UnknownName."""
+        for name in fields:
+            self._field(name, b"")
+        return self
+
+    def _live(self) -> Any:
+        raise NoResult("a frozen result has no scene: this needs the result itself")
+
+    def _number_or_none(self, name: str) -> float | None:
+        value = self._kept.get(name)
+        return value if isinstance(value, float) else None
+
+    def _value(self, name: str) -> Any:
+        return self._kept[name] if name in self._kept else self._field(name, b"")
+
+    def _field(self, name: str, code: bytes) -> Array:
+        if name not in self._fields:
+            raise UnknownName(f"this frozen result has no {name}; its fields are those given to freeze()")
+        return self._fields[name]
+
+    def _graded(self) -> list[Graded]:
+        return self._warnings
+
+    @property
+    def warnings(self) -> list[str]:
+        """As those of the result."""
+        return [text for _, text in self._warnings]
 
 
 def unit_of(scene: Scene, name: str) -> str:
@@ -301,5 +361,5 @@ def summary_of(result: Result) -> str:
     for row in _patch_rows(result):
         form = "  {:<6} {:>5} {:>12} {:>10} {:>16} {:>11}" if len(row) > 2 else "  {:<6} {}"
         lines.append(form.format(*row))
-    lines += [f"  {GRADES[grade]}: {text}" for grade, text in graded_warnings_of(result._live())]
+    lines += [f"  {GRADES[grade]}: {text}" for grade, text in result._graded()]
     return "\n".join(lines) + ">"

@@ -63,6 +63,11 @@ class History(Handle):
         other._check(lib.wrc_history_copy(other._handle, self._handle))
         return other
 
+    __copy__ = copy
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> History:
+        return self.copy()
+
 
 def _numbers(values: ArrayLike, name: str, count: int) -> Array:
     numbers = doubles(values)
@@ -199,7 +204,7 @@ def solve_batch(scenes: Sequence[Scene], *, threads: int = 1) -> list[Result | E
 def warnings_of_outcome(outcome: Result | Error) -> list[Graded]:
     """Those of the result, if there is one."""
     result = outcome.result if isinstance(outcome, Error) else outcome
-    return [] if result is None else graded_warnings_of(result._live())
+    return [] if result is None else result._graded()
 
 
 def solve_without_warning(scenes: Sequence[Scene], threads: int) -> list[Result | Error]:

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Fails unless programs and libraries are hardened: all relocations read-only once loaded, no stack
 # or memory both writable and executable, position-independent, stack protector, checked calls of
-# the C library (programs), a landing pad at every function exported (library, x86-64).
+# the C library (programs), a landing pad at every function exported (library, x86-64), libraries from
+# stated folders alone.
 # Usage: check_hardening.sh FILE ...
 set -euo pipefail
 
@@ -24,6 +25,11 @@ for file in "$@"; do
   readelf -hW "$file" | grep -q 'Type: *DYN' || refuse "$file: not position-independent"
   if grep -q TEXTREL <<<"$dynamic"; then
     refuse "$file: relocations in code"
+  fi
+  # An empty entry, like a relative one, is a folder of the user's data.
+  path=$(sed -nE 's/.*R(UN)?PATH.*\[(.*)\]$/\2/p' <<<"$dynamic")
+  if [ -n "$path" ] && grep -qvE '^(/|\$ORIGIN(/|$))' < <(tr : '\n' <<<"$path"); then
+    refuse "$file: libraries from the current folder: RUNPATH $path"
   fi
   grep -q __stack_chk_fail <<<"$symbols" || refuse "$file: no stack protector"
   case $file in
