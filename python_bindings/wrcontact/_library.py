@@ -40,7 +40,7 @@ def doubles(values: ArrayLike) -> Array:
     InvalidArgument for masked values, whose mask would be lost.
     """
     parts = values if isinstance(values, (list, tuple)) else [values]
-    if any(isinstance(part, np.ma.MaskedArray) and np.ma.is_masked(part) for part in parts):
+    if any(isinstance(part, np.ma.MaskedArray) and np.any(part.mask) for part in parts):
         from .errors import InvalidArgument
 
         raise InvalidArgument("an array has masked values; allowed are arrays without: values[~values.mask]")

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -203,7 +203,7 @@ def solve_batch(scenes: Sequence[Scene], *, threads: int = 1) -> list[Result | E
 
 def warnings_of_outcome(outcome: Result | Error) -> list[Graded]:
     """Those of the result, if there is one."""
-    result = outcome.result if isinstance(outcome, Error) else outcome
+    result: Result | None = outcome.result if isinstance(outcome, Error) else outcome
     return [] if result is None else result._graded()
 
 
