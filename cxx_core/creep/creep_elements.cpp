@@ -1,5 +1,7 @@
 #include "creep/creep_elements.hpp"
 
+#include <algorithm>
+
 #include "creep/constants.hpp"
 #include "records/wheel_result.hpp"
 
@@ -63,6 +65,14 @@ double share_of_elements(const WheelResult& wheel, const CreepRequest& request) 
     }
   }
   return wanted > request.element_limit ? request.element_limit / wanted : 1.0;
+}
+
+CreepRequest with_elements(CreepRequest request, const WheelResult& wheel) {
+  if (wheel.is_cut) {
+    request.accuracy = std::max(request.accuracy, wheel.discretisation_error.value_or(0.0));
+  }
+  request.element_share = share_of_elements(wheel, request);
+  return request;
 }
 
 } // namespace wrc

@@ -24,4 +24,8 @@ CreepGrid grid_of_patch(const PatchResult& patch, const SmoothPressure& pressure
 /// Fraction of the elements needed by the patches of a wheel that the limit permits; 1: all.
 double share_of_elements(const WheelResult& wheel, const CreepRequest& request);
 
+/// The request with that share, and with the accuracy that this wheel permits: where the end of a
+/// body cuts the contact, forces are no more accurate than its place.
+CreepRequest with_elements(CreepRequest request, const WheelResult& wheel);
+
 } // namespace wrc

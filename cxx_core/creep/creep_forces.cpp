@@ -175,8 +175,7 @@ void add_part(CreepResult& whole, const CreepResult& part, double weight, double
 
 void solve_creep_forces(WheelResult& wheel, const CreepRequest& of_scene, RollingSolver& solver,
                         const WheelRates* rates) {
-  CreepRequest request = of_scene;
-  request.element_share = share_of_elements(wheel, request);
+  CreepRequest request = with_elements(of_scene, wheel);
   wheel.details.friction = request.friction;
   if (request.motion) {
     wheel.details.motion = wheelset_motion(wheel, request);
@@ -198,10 +197,7 @@ void solve_creep_forces(WheelResult& wheel, const CreepRequest& of_scene, Rollin
 CreepResult creep_of_patch(const WheelResult& wheel, const PatchResult& patch,
                            const CreepRequest& asked, RollingSolver& solver,
                            std::vector<CreepResult>& parts, const PatchRates* rates) {
-  CreepRequest request = asked;
-  if (!request.element_share) {
-    request.element_share = share_of_elements(wheel, request);
-  }
+  const CreepRequest request = asked.element_share ? asked : with_elements(asked, wheel);
   const PatchMotion motion = motion_of(patch, patch, wheel, request);
   if (patch.parts.empty()) {
     return solve_patch({wheel, patch, motion, request, rates}, solver);

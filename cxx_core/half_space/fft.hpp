@@ -15,8 +15,9 @@
 /// calls prepare_transforms first. Thread rule: planning takes a lock shared by the whole process,
 /// since only FFTW's execute is thread-safe; a host that plans by itself can have its own lock
 /// taken before it. Plans have one thread, whatever number the host has set for its own plans (with
-/// FFTW 3.3.9 or newer); its setting is put back. One LineFft serves any number of threads at once, each with lines of its own.
-/// Fork rule: lock_for_fork before, unlock_after_fork in both processes after it.
+/// FFTW 3.3.9 or newer); its setting is put back. One LineFft serves any number of threads at once,
+/// each with lines of its own. Fork rule: lock_for_fork before, unlock_after_fork in both processes
+/// after it.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 /* A host whose own plans have four threads, in both precisions: results, threads of the process and
-   the host's setting are those of a host without; a child of fork solves, and so does the host after
-   it has cleaned up. Built for FFTW's threads and for OpenMP's. */
+   the host's setting are those of a host without; a child of fork solves, and so does the host
+   after it has cleaned up. Built for FFTW's threads and for OpenMP's. */
 #include <dirent.h>
 #include <fftw3.h>
 #include <stdio.h>
@@ -26,7 +26,8 @@ static int thread_count(void) {
   return count;
 }
 
-/* 17 digits of a scene with creep forces on a grid of its own size, whose lines are planned anew. */
+/* 17 digits of a scene with creep forces on a grid of its own size, whose lines are planned anew.
+ */
 static int solve(double rows, char digits[64]) {
   const double grid[2] = {rows, 0.5 * rows};
   const double creepage[3] = {1e-3, 5e-4, 1e-4};
@@ -84,8 +85,8 @@ int main(int count, char** arguments) {
   if (thread_count() != before) {
     return fail("threads are left");
   }
-  if (with_threads && (fftw_planner_nthreads() != host_threads ||
-                       fftwf_planner_nthreads() != host_threads)) {
+  if (with_threads &&
+      (fftw_planner_nthreads() != host_threads || fftwf_planner_nthreads() != host_threads)) {
     return fail("the host's setting is lost");
   }
   if (!solves_in_a_child(160.0)) {

@@ -28,6 +28,7 @@ for file in "$@"; do
   fi
   # An empty entry, like a relative one, is a folder of the user's data.
   path=$(sed -nE 's/.*R(UN)?PATH.*\[(.*)\]$/\2/p' <<<"$dynamic")
+  # shellcheck disable=SC2016 # the linker's word
   if [ -n "$path" ] && grep -qvE '^(/|\$ORIGIN(/|$))' < <(tr : '\n' <<<"$path"); then
     refuse "$file: libraries from the current folder: RUNPATH $path"
   fi

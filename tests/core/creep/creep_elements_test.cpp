@@ -71,6 +71,21 @@ TEST(CreepElements, KeepWithinTheirLimit) {
   EXPECT_GT(static_cast<double>(chosen.grid.element_count()), 300.0) << "as many as there may be";
 }
 
+TEST(CreepElements, OfACutContactAreNoFinerThanItsPlace) {
+  WheelResult wheel;
+  wheel.patches = {patch_of(6.0, 4.0)};
+  wheel.discretisation_error = 0.1;
+  CreepRequest request = request_of(CreepModel::full);
+  request.accuracy = 1e-3;
+  EXPECT_EQ(with_elements(request, wheel).accuracy, 1e-3) << "whole: the error of the peak, say";
+  wheel.is_cut = true;
+  EXPECT_EQ(with_elements(request, wheel).accuracy, 0.1);
+  EXPECT_LT(wanted_by(wheel.patches[0], with_elements(request, wheel)),
+            0.1 * wanted_by(wheel.patches[0], request));
+  wheel.discretisation_error = 1e-4;
+  EXPECT_EQ(with_elements(request, wheel).accuracy, 1e-3);
+}
+
 TEST(CreepElements, PatchesGetTheSameFractionOfTheirNeed) {
   WheelResult wheel;
   wheel.patches = {patch_of(6.0, 4.0), patch_of(3.0, 2.0)};
