@@ -3,6 +3,7 @@
  * "left.patches.0.grid.lateral" is r.left.patches(1).grid.lateral, counted from 1 as everything
  * here.
  */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -95,8 +96,8 @@ void make_scenes(int count, const mxArray* const* values, struct options* option
       options->fields = text_of(values[k + 1], key);
     } else if (strcmp(key, "threads") == 0) {
       const double threads = *numbers_of(values[k + 1], key, 1);
-      if (!(threads >= 1.0 && threads <= 1024.0)) {
-        refuse(WRC_INVALID_ARGUMENT, "threads: allowed is 1 to 1024");
+      if (!(threads >= 1.0 && threads <= 1024.0) || threads != floor(threads)) {
+        refuse(WRC_INVALID_ARGUMENT, "threads: allowed is a whole number from 1 to 1024");
       }
       options->threads = (int32_t)threads;
     } else {
@@ -188,12 +189,17 @@ static void put(mxArray* node, mwIndex index, const char* name, mxArray* value) 
   put(child, child_index, name, value);
 }
 
-/* A field, if there is one of this name, with `rows` values to a column if they are so many, under
-   the name `put_name`. */
+/* A field, unless this scene has no values of it, with `rows` values to a column if they are so
+   many, under the name `put_name`. */
 static void put_field(mxArray* result, mwIndex index, wrc_scene* scene, const char* name,
                       const char* put_name, double rows) {
   int64_t count = 0;
-  if (wrc_scene_field(scene, name, NULL, 0, &count) != WRC_OK || count == 0) {
+  const wrc_status status = wrc_scene_field(scene, name, NULL, 0, &count);
+  const int is_known = strstr(wrc_scene_error(scene), "the name is known") != NULL;
+  if (status != WRC_OK && !is_known) {
+    check(status, scene);
+  }
+  if (status != WRC_OK || count == 0) {
     return;
   }
   const mwSize columns = rows > 0.0 && count % (int64_t)rows == 0 ? count / (int64_t)rows : 1;

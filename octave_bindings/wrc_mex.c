@@ -9,6 +9,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 struct open_handles open_handles;
 
@@ -80,14 +81,16 @@ const double* numbers_of(const mxArray* value, const char* what, size_t count) {
 
 /* ---- Wheelsets of a vehicle simulation (wrc_step) ------------------------------------------- */
 
-/* The library refuses numbers that are no handles, so they may stand in the user's hands; the list
-   is there to destroy what was left open. */
+/* Users hold numbers, which may lie in arrays of doubles; the list is also there to destroy what
+   was left open. */
 struct wheelset {
+  double number; /* as the user has it: never that of one before, nor before "clear wrc_mex" */
   wrc_solver* solver;
   wrc_scene* scene;
   struct wheelset* next;
 };
 static struct wheelset* wheelsets;
+static double last_number;
 
 static void close_wheelset(struct wheelset** place) {
   struct wheelset* wheelset = *place;
@@ -106,9 +109,9 @@ static void close_everything(void) {
 
 static struct wheelset** find_wheelset(int count, const mxArray* const* values) {
   struct wheelset** place = &wheelsets;
-  const int is_number = count > 0 && mxIsUint64(values[0]) && mxGetNumberOfElements(values[0]) == 1;
-  const uint64_t number = is_number ? *(const uint64_t*)mxGetData(values[0]) : 0;
-  while (*place != NULL && (uint64_t)(uintptr_t)(*place)->scene != number) {
+  const int is_number = count > 0 && mxIsDouble(values[0]) && mxGetNumberOfElements(values[0]) == 1;
+  const double number = is_number ? mxGetScalar(values[0]) : 0.0;
+  while (*place != NULL && (*place)->number != number) {
     place = &(*place)->next;
   }
   if (*place == NULL) {
@@ -131,11 +134,12 @@ static void open_wheelset(mxArray** result, int count, const mxArray* const* val
            out_of_memory ? "out of memory" : "scene: allowed is one scene for each wheelset");
   }
   wheelset->scene = open_handles.scenes[0];
+  last_number = last_number > 0.0 ? last_number + 1.0 : 1e3 * (double)time(NULL);
+  wheelset->number = last_number;
   wheelset->next = wheelsets;
   wheelsets = wheelset;
   open_handles.scene_count = 0; /* it is the wheelset's now */
-  result[0] = mxCreateNumericMatrix(1, 1, mxUINT64_CLASS, mxREAL);
-  *(uint64_t*)mxGetData(result[0]) = (uint64_t)(uintptr_t)wheelset->scene;
+  result[0] = mxCreateDoubleScalar(wheelset->number);
 }
 
 static void step(int result_count, mxArray** result, int count, const mxArray* const* values) {

@@ -92,6 +92,11 @@
 %! assert (size (state), [1 2]);
 %! r = wrc_step ('results', w);
 %! assert (r.left.total.force.z, force(3, 1));
+%! h(1) = w; % in an array of four wheelsets
+%! h(4) = wrc_step ('open', 'solve.creep', 'fastsim');
+%! assert (wrc_step (h(4), position, velocity, rails), force);
+%! assert (wrc_step (h(1), position, velocity, rails), force);
+%! wrc_step ('close', h(4));
 %! wrc_step ('close', w);
 %! fail ('wrc_step (w, position, velocity)', 'that has not been closed');
 %! left_open = wrc_step ('open');
@@ -186,3 +191,8 @@
 %! assert (size (picture)(1:2), [760 1000]);
 %! colours = unique (reshape (picture, [], 3), 'rows');
 %! assert (rows (colours) > 50); # pressures by colour
+
+%!test <*fields> % that there are none of is an error, and so is half a thread
+%! fail ("wrc_solve ('fields', 'nonsense')", 'no field is named "left.patches.0.nonsense"');
+%! fail ("wrc_solve ('threads', 1.5)", 'whole number');
+%! assert (isfield (wrc_solve ('fields', 'pressure stress_xx').left.patches(1), 'fields'));
