@@ -472,8 +472,8 @@ typedef struct wrc_table_options {
   double roll;    /**< likewise, 0.01 rad */
   double yaw;     /**< likewise, 0.02 rad */
   double load;    /**< largest vertical force of a wheel, 150 kN */
-  /** Error over load beyond which a step with a solver takes the exact solution; 0: only outside
-   * the table. */
+  /** Error, over load as in wrc_table_facts, beyond which a step with a solver takes the exact
+   * solution; 0: only outside the table. */
   double tolerance;
   double fineness; /**< of the nodes, 0.2 to 4; 1. Time and memory grow with its cube. */
   int64_t threads; /**< 1 to 1024; 1. The same bits for any number. */

@@ -137,7 +137,7 @@ CreepResult solve_patch(const PatchTask& task, RollingSolver& solver) {
     creep.power_per_speed = std::max(creep.power_per_speed, 0.0);
   }
   creep.friction_power = motion.slip_speed * creep.power_per_speed;
-  if (patch.is_cut) {
+  if (patch.is_unbounded) {
     creep.largest_traction = std::numeric_limits<double>::quiet_NaN();
   }
   return creep;
@@ -232,7 +232,7 @@ CreepResult creep_of_patch(const WheelResult& wheel, const PatchResult& patch,
   if (whole.power_per_speed > 0.0) {
     whole.numerical_loss /= whole.power_per_speed;
   }
-  if (patch.is_cut) {
+  if (patch.is_unbounded) {
     whole.largest_traction = std::numeric_limits<double>::quiet_NaN();
   }
   return whole;

@@ -44,9 +44,9 @@ struct ContactPoint {
 
 /// A patch as it was solved (left-hand frame of the side), and what it is in the track frame.
 struct PatchResult : Patch {
-  double pmax = 0.0;         ///< of elements only where `is_cut`
+  double pmax = 0.0;         ///< of elements only where `is_unbounded`
   double pmax_element = 0.0; ///< largest element value
-  bool is_cut = false;       ///< by an end of a body, where pressures have no bound
+  bool is_unbounded = false; ///< pressures: an end of a body cuts them, or no element resolves them
   Vector3 force;             ///< of the pressures
   Vector3 total_force;       ///< with creep forces
   Vector3 moment;            ///< of the pressures, about the contact reference
@@ -93,7 +93,7 @@ struct WheelResult {
   ContactPoint rigid_contact;
   std::vector<ContactPoint> near_contacts; ///< further ones, nearest first
   double vertical = 0.0; ///< height of the wheelset's centre at which this wheel first touches
-  double pmax = 0.0;     ///< largest one of the patches; of elements only where `is_cut`
+  double pmax = 0.0;     ///< largest one of the patches; of elements only where `is_unbounded`
   double pmax_element = 0.0;
   double normal_force = 0.0; ///< sum over the patches of the amounts of their forces
   Vector3 force;             ///< of the pressures; with creep forces: `total`
@@ -119,7 +119,8 @@ struct WheelResult {
   std::optional<int> state;         ///< flags of results/wheel_state.hpp, of mechanics
   bool solved = false;              ///< the mechanics have run
   bool meets_part_end = false;      ///< an end of a body that varies is in the contact
-  bool is_cut = false;              ///< one of the patches
+  bool is_unbounded = false;        ///< one of the patches
+  bool is_cut = false;              ///< one of them, by an end of a body
   std::vector<PatchResult> patches; ///< largest normal force first
   Warnings warnings;
   WheelDetails details;

@@ -59,7 +59,7 @@ void take_back_peaks(ContactDamage& damage) {
 ContactDamage damage_of(const PatchResult& patch, const DamageRequest& request,
                         double pressure_error) {
   ContactDamage damage;
-  if (request.stress && !patch.pressure.empty() && !patch.is_cut) {
+  if (request.stress && !patch.pressure.empty() && !patch.is_unbounded) {
     damage.stress = stresses_below(patch, request).greatest();
     damage.stress->error_estimate += pressure_error;
   }
@@ -146,16 +146,16 @@ void find_damage(WheelResult& wheel, const DamageRequest& request) {
     for (PatchResult& part : patch.parts) {
       part.damage = damage_of(part, request, pressure_error);
       add(*patch.damage, *part.damage);
-      if (part.is_cut) {
+      if (part.is_unbounded) {
         take_back_peaks(*part.damage);
       }
     }
     add(*wheel.damage, *patch.damage);
-    if (patch.is_cut) {
+    if (patch.is_unbounded) {
       take_back_peaks(*patch.damage);
     }
   }
-  if (wheel.is_cut) {
+  if (wheel.is_unbounded) {
     take_back_peaks(*wheel.damage);
   }
 }

@@ -73,7 +73,7 @@ std::optional<ContactCut> mark_cuts(std::span<PatchResult> patches, const WheelS
     // Those of one plane are solved as parts.
     auto cut =
         patch.parts.empty() ? cut_of(patch, {wheel, rail}) : mark_cuts(patch.parts, wheel, rail);
-    patch.is_cut = cut.has_value();
+    patch.is_unbounded = cut.has_value();
     if (cut) {
       error = std::max(error, cut->error);
       if (!found || (cut->is_along && !found->is_along)) {

@@ -24,8 +24,9 @@ struct ContactCut {
   double error = 0.0;    ///< estimated: of the depth, and of the place over the contact's semi-axis
 };
 
-/// Sets PatchResult::is_cut of all patches of a wheel that are, and of their parts. Returns the
-/// first cut along, else the first across, with the largest error of all; none where none is cut.
+/// Sets PatchResult::is_unbounded of all patches of a wheel that are, and of their parts. Returns
+/// the first cut along, else the first across, with the largest error of all; none where none is
+/// cut.
 std::optional<ContactCut> mark_cuts(std::span<PatchResult> patches, const WheelSurface& wheel,
                                     const RailSurface& rail);
 

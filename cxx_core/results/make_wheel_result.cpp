@@ -137,13 +137,13 @@ void note_cut(const WheelSurface& wheel, const RailSurface& rail, double force_e
       result.meets_part_end || !WheelAndRail{wheel, rail}.is_prismatic_along(along_track);
   if (result.validity) { // pressures of an approximate model have a bound
     for (PatchResult& patch : result.patches) {
-      patch.is_cut = false;
+      patch.is_unbounded = false;
     }
     result.warnings.push_back({WarningClass::profile_end,
                                "contact reaches " + cut->where + ", which the model leaves out"});
     return;
   }
-  result.is_cut = true;
+  result.is_unbounded = result.is_cut = true;
   std::string estimate;
   if (result.error_estimate) {
     result.discretisation_error = std::hypot(force_error, cut->error);
@@ -158,6 +158,31 @@ void note_cut(const WheelSurface& wheel, const RailSurface& rail, double force_e
        "contact reaches " + cut->where +
            ": pressures have no bound there, so pmax and what follows from it are not given" +
            estimate + ", and forces jump by about 1 % of the load as the contact passes"});
+}
+
+/// Where elements resolve less than half of the largest pressure, as where two edges meet, it grows
+/// with every element: the warning of the accuracy says that it is not given.
+void note_unresolved(WheelResult& result) {
+  if (result.is_unbounded || result.patches.empty() ||
+      !(result.discretisation_error.value_or(0.0) > unresolved_peak)) {
+    return;
+  }
+  const auto less = [](const PatchResult& one, const PatchResult& other) {
+    return one.pmax_element < other.pmax_element;
+  };
+  result.is_unbounded = true;
+  auto patch = std::ranges::max_element(result.patches, less);
+  patch->is_unbounded = true;
+  if (!patch->parts.empty()) {
+    std::ranges::max_element(patch->parts, less)->is_unbounded = true;
+  }
+  for (Warning& warning : result.warnings) {
+    if (warning.kind == WarningClass::accuracy) {
+      warning.text +=
+          "; pressures have no bound there, or none that these elements show, so pmax and "
+          "what follows from it are not given";
+    }
+  }
 }
 
 } // namespace
@@ -255,6 +280,9 @@ WheelResult make_wheel_result(WheelSolution solution,
   result.angle = result.patches.front().angle;
   result.approach = result.patches.front().approach;
   note_cut(*wheel, *rail, solution.force_error, result);
+  if (!solution.request.grid) { // else the elements are the caller's
+    note_unresolved(result);
+  }
   if (result.solved) {
     result.centroid = mean_point(result.patches, result.normal_force);
   }

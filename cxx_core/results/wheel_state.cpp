@@ -50,14 +50,14 @@ std::optional<int> wheel_state(const WheelResult& wheel, std::optional<double> y
     state |= is_on_flange_tip(nodes, patch.reference.s_wheel) ? on_flange_tip : 0;
     state |= is_on_chamfer(nodes, patch.reference.s_wheel) ? on_chamfer : 0;
   }
-  const bool yields = yield_pressure && (wheel.is_cut || wheel.pmax > *yield_pressure);
+  const bool yields = yield_pressure && (wheel.is_unbounded || wheel.pmax > *yield_pressure);
   return state | (yields ? beyond_yield : 0);
 }
 
 void warn_of_pressure(WheelResult& wheel) {
   const bool is_steel = !(wheel.details.request.combined_modulus > stiffest_steel);
   const double limit = is_steel ? hardest_steel : hardest_ceramic;
-  if (wheel.is_cut || !(wheel.pmax > limit)) {
+  if (wheel.is_unbounded || !(wheel.pmax > limit)) {
     return;
   }
   const auto pressed = std::max_element(

@@ -92,7 +92,7 @@ Numbers numbers_of(const SceneResult& result) {
   std::size_t at = 1;
   for (const std::optional<SceneWheel>* wheel : {&result.left, &result.right}) {
     if (*wheel && (*wheel)->solved) {
-      numbers[at] = number_tables::peak_of((*wheel)->is_cut, (*wheel)->pmax);
+      numbers[at] = number_tables::peak_of((*wheel)->is_unbounded, (*wheel)->pmax);
       numbers[at + 1] = area_of(**wheel);
     }
     at += 2;

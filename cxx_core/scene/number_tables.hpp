@@ -87,8 +87,8 @@ inline double regions_of_patch(const PatchResult& patch) {
 }
 
 /// A largest pressure; not-a-number where an end of a body leaves it without a bound.
-inline double peak_of(bool is_cut, double value) {
-  return is_cut ? none : value;
+inline double peak_of(bool is_unbounded, double value) {
+  return is_unbounded ? none : value;
 }
 
 /// None of an approximate model.
@@ -97,10 +97,10 @@ inline std::optional<double> of_plane(const PatchResult& patch, double value) {
 }
 
 inline constexpr std::array patch_numbers{
-    OfPatch{"pmax", stress, [](const PatchResult& p) { return peak_of(p.is_cut, p.pmax); }},
+    OfPatch{"pmax", stress, [](const PatchResult& p) { return peak_of(p.is_unbounded, p.pmax); }},
     OfPatch{"area", surface, [](const PatchResult& p) { return area_of_patch(p); }},
     OfPatch{"pmax_element", stress,
-            [](const PatchResult& p) { return peak_of(p.is_cut, p.pmax_element); }},
+            [](const PatchResult& p) { return peak_of(p.is_unbounded, p.pmax_element); }},
     OfPatch{"normal_force", force, [](const PatchResult& p) { return norm(p.force); }},
     OfPatch{"vertical_force", turning_force, member<&PatchResult::total_force, &Vector3::z>},
     OfPatch{"lateral_force", turning_force, member<&PatchResult::total_force, &Vector3::y>},
@@ -201,9 +201,9 @@ inline std::optional<double> derailment_quotient_of(const WheelResult& wheel) {
 
 inline constexpr std::array side_numbers{
     OfWheel{"vertical", turning_length, member<&WheelResult::vertical>},
-    OfWheel{"pmax", stress, [](const WheelResult& r) { return peak_of(r.is_cut, r.pmax); }},
+    OfWheel{"pmax", stress, [](const WheelResult& r) { return peak_of(r.is_unbounded, r.pmax); }},
     OfWheel{"pmax_element", stress,
-            [](const WheelResult& r) { return peak_of(r.is_cut, r.pmax_element); }},
+            [](const WheelResult& r) { return peak_of(r.is_unbounded, r.pmax_element); }},
     OfWheel{"area", surface,
             [](const WheelResult& r) {
               double area = 0.0;

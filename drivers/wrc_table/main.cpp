@@ -58,14 +58,16 @@ void print_facts(const wrcontact::Table& table) {
     std::cout << line << '\n';
   }
   const wrc_table_facts facts = table.facts();
-  std::cout << "memory         " << std::setprecision(3) << facts.bytes / 1e6 << " MB\n"
-            << "error of the force over the load, in " << std::setprecision(6) << facts.states
-            << " random states\n"
-            << "  median       " << percent(facts.median_error) << '\n'
-            << "  99 %         " << percent(facts.error_99) << '\n'
-            << "  worst        " << percent(facts.worst_error) << '\n'
-            << "  beyond the error returned with them: " << facts.beyond
-            << " (in all, with 95 % certainty, at most " << percent(facts.beyond_at_most) << ")\n";
+  std::cout
+      << "memory         " << std::setprecision(3) << facts.bytes / 1e6 << " MB\n"
+      << "error of a wheel's force over its vertical force, or over half of the largest load if "
+         "that is more, in "
+      << std::setprecision(6) << facts.states << " random states\n"
+      << "  median       " << percent(facts.median_error) << '\n'
+      << "  99 %         " << percent(facts.error_99) << '\n'
+      << "  worst        " << percent(facts.worst_error) << '\n'
+      << "  beyond the error returned with them: " << facts.beyond
+      << " (in all, with 95 % certainty, at most " << percent(facts.beyond_at_most) << ")\n";
   if (facts.tolerance > 0.0) {
     std::cout << "exact solution beyond " << percent(facts.tolerance) << ", in "
               << percent(facts.exact_share) << " of the table\n";

@@ -95,5 +95,38 @@ TEST(Warnings, AreReturnedByEveryCallThatSolves) {
   EXPECT_EQ(values[1], 1.0);
 }
 
+/// Two edges that meet: pressures grow with every element, forces do not.
+TEST(Warnings, SayWhyALargestPressureIsNotGiven) {
+  wrcontact::Scene scene;
+  scene.set("wheelset.wheel", "LMA");
+  scene.set("track.rail", "56E1");
+  for (const auto& [key, value] : {std::pair("track.gauge", 1429.2967018813915),
+                                   {"track.gauge_height", 14.230625790084702},
+                                   {"wheelset.back_to_back", 1349.6},
+                                   {"wheelset.radius", 3384.74},
+                                   {"load.left", 8528.0},
+                                   {"load.right", 8528.0},
+                                   {"pose.lateral", 0.88923749059052071},
+                                   {"pose.yaw", 0.051238238117801788},
+                                   {"solve.accuracy", 0.0185}}) {
+    scene.set(key, value);
+  }
+  scene.solve();
+  EXPECT_GT(scene.number("right.discretisation_error"), 0.5);
+  EXPECT_TRUE(std::isnan(scene.number("right.pmax")));
+  EXPECT_TRUE(std::isnan(scene.number("right.patches.0.pmax_element")));
+  EXPECT_EQ(scene.number("right.grade"), WRC_DO_NOT_USE);
+  std::string all;
+  for (const std::string& text : scene.warnings()) {
+    all += text;
+  }
+  EXPECT_NE(all.find("so pmax and what follows from it are not given"), std::string::npos) << all;
+  EXPECT_NEAR(scene.number("right.normal_force"), 8687.0, 10.0);
+  EXPECT_TRUE(std::isfinite(scene.number("left.pmax")));
+  scene.set("solve.grid", std::vector<double>{40.0, 60.0}); // the caller's elements
+  scene.solve();
+  EXPECT_TRUE(std::isfinite(scene.number("right.pmax")));
+}
+
 } // namespace
 } // namespace warnings_test

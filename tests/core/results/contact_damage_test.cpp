@@ -92,7 +92,7 @@ TEST(ContactDamage, OfACutContactHasNoPeaks) {
   request.fatigue = request.wear = request.stress = true;
   WheelResult wheel =
       wheel_of({patch_of(8e4, -0.8e4, 0.0, 900.0), patch_of(2e4, -0.8e4, 0.0, 1500.0)});
-  wheel.is_cut = wheel.patches[1].is_cut = true;
+  wheel.is_unbounded = wheel.patches[1].is_unbounded = true;
   find_damage(wheel, request);
   EXPECT_TRUE(wheel.patches[0].damage->fatigue->surface_index);
   for (const ContactDamage* damage : {&*wheel.patches[1].damage, &*wheel.damage}) {

@@ -40,11 +40,11 @@ TEST(CutContact, HasAWarningAndAStateWhereTheRailEndsUnderPressure) {
     const WheelResult cut = solve_left(at(along), under_load(80000.0));
     EXPECT_TRUE(cut.meets_part_end) << along;
     EXPECT_TRUE(has_warning(cut, "an end of the rail at 100 mm: pressures have no bound")) << along;
-    EXPECT_TRUE(cut.is_cut && cut.patches[0].is_cut) << along;
+    EXPECT_TRUE(cut.is_unbounded && cut.patches[0].is_unbounded) << along;
   }
   const WheelResult before = solve_left(at(90.0), under_load(80000.0)); // not reached
   EXPECT_FALSE(before.meets_part_end);
-  EXPECT_FALSE(before.is_cut || before.patches[0].is_cut);
+  EXPECT_FALSE(before.is_unbounded || before.patches[0].is_unbounded);
   EXPECT_FALSE(has_warning(before, ""));
 }
 
@@ -86,7 +86,7 @@ TEST(CutContact, IsSeenAtTheEndOfAProfile) {
     WheelRequest request = under_load(80000.0);
     request.accuracy = accuracy;
     const WheelResult cut = solve_left(bodies, request);
-    EXPECT_TRUE(cut.is_cut);
+    EXPECT_TRUE(cut.is_unbounded);
     EXPECT_FALSE(cut.meets_part_end) << "the state of bodies that vary";
     EXPECT_TRUE(has_warning(cut, "contact reaches the end of a profile: pressures"));
     request.accuracy_of = AccuracyOf::forces;
