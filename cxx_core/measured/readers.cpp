@@ -75,7 +75,8 @@ std::vector<Curve> curves_through(const std::vector<std::vector<Position>>& line
 std::vector<Curve> smoothed_curves(std::span<const Position> points) {
   std::vector<Curve> curves;
   try {
-    for (const double wavelength : smoothed_waves) {
+    curves.push_back(curve_through(points));
+    for (const double wavelength : std::span(smoothed_waves).subspan(1)) {
       curves.push_back(curve_through(smooth_points(points, wavelength)));
     }
   } catch (const Error&) {

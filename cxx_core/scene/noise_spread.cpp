@@ -25,6 +25,11 @@ constexpr int least_solutions = 7;
 /// it to 22 %.
 constexpr double likely_accuracy = 1e-2;
 
+/// Spread over its result above which it is a little over, and beyond usable_excess of which the
+/// result is not to be used.
+/// origin: reasoned: points with a spread of 20 % do not say what a pressure is.
+constexpr double usable_spread = 0.1;
+
 /// Elements that a line has in any case.
 /// origin: bound: the least that solve.element_limit permits.
 constexpr double least_element_limit = 1e3;
@@ -33,11 +38,13 @@ constexpr double least_element_limit = 1e3;
 struct Line {
   std::vector<Curve> ProfileDoubt::*curves = nullptr;
   std::size_t number = 0;
+  bool is_of_all = false; ///< smoothed ones also of profiles whose waves are no noise
 };
 
 const Curve& curve_of(const ProfileDoubt& doubt, const Line& line) {
-  const bool is_changed = line.curves == &ProfileDoubt::likely ||
-                          (line.curves == &ProfileDoubt::smoothed && doubt.is_of_waves);
+  const bool is_changed =
+      line.curves == &ProfileDoubt::likely ||
+      (line.curves == &ProfileDoubt::smoothed && (line.is_of_all || doubt.is_of_waves));
   return is_changed && line.number < (doubt.*line.curves).size() ? (doubt.*line.curves)[line.number]
                                                                  : doubt.curve;
 }
@@ -55,7 +62,7 @@ void take_curve(ProfileChoice& choice, ProfileKind kind, const NoisyScene::Doubt
   choice.smoothing.reset();
 }
 
-/// The scene with curves of its profiles.
+/// The scene with curves of its profiles, on grids by accuracy, whatever the caller's are.
 Scene scene_with(const NoisyScene& noisy, const Line& line) {
   Scene scene = noisy.scene;
   take_curve(scene.left.wheel, ProfileKind::wheel, noisy.left_wheel, line);
@@ -65,6 +72,9 @@ Scene scene_with(const NoisyScene& noisy, const Line& line) {
   scene.accuracy = std::max(scene.accuracy, likely_accuracy);
   // All lines together take no more elements than one solution may.
   scene.element_limit = std::max(scene.element_limit / likely_lines, least_element_limit);
+  scene.grid.reset();
+  scene.tolerance = Scene().tolerance;
+  scene.solver = SolverChoice::standard;
   scene.derivatives = false;
   scene.damage = {};
   if (!scene.left.total_load && !scene.right.total_load) {
@@ -113,21 +123,22 @@ std::optional<Numbers> numbers_with(const NoisyScene& noisy, const Line& line,
   }
 }
 
-/// Mean squares of differences from the result; not-a-number of too few.
-Numbers mean_squares(const NoisyScene& noisy, const Numbers& centre,
-                     std::vector<Curve> ProfileDoubt::*curves, std::size_t most, int least) {
+/// Mean squares of differences from the result, of the lines from the first one up to `most`;
+/// not-a-number of too few.
+Numbers mean_squares(const NoisyScene& noisy, const Numbers& centre, Line line, std::size_t most,
+                     int least) {
   SceneSolver solver;
   Numbers squares{};
   std::array<int, std::tuple_size_v<Numbers>> counts{};
   std::size_t lines = most;
   for (const NoisyScene::Doubt* doubt :
        {&noisy.left_wheel, &noisy.left_rail, &noisy.right_wheel, &noisy.right_rail}) {
-    if (doubt->valid() && (curves == &ProfileDoubt::likely || doubt->get().is_of_waves)) {
-      lines = std::min(lines, (doubt->get().*curves).size());
+    if (doubt->valid() && (line.curves == &ProfileDoubt::likely || doubt->get().is_of_waves)) {
+      lines = std::min(lines, (doubt->get().*line.curves).size());
     }
   }
-  for (std::size_t line = 0; line < lines; ++line) {
-    if (const std::optional<Numbers> numbers = numbers_with(noisy, {curves, line}, solver)) {
+  for (; line.number < lines; ++line.number) {
+    if (const std::optional<Numbers> numbers = numbers_with(noisy, line, solver)) {
       for (std::size_t i = 0; i < numbers->size(); ++i) {
         const double difference = (*numbers)[i] - centre[i];
         if (std::isfinite(difference)) {
@@ -144,12 +155,28 @@ Numbers mean_squares(const NoisyScene& noisy, const Numbers& centre,
   return squares;
 }
 
-SceneSpread spread_of_numbers(const Numbers& squares) {
-  const auto spread = [&](std::size_t i) {
-    return std::isfinite(squares[i]) ? std::optional(deviations * std::sqrt(squares[i]))
-                                     : std::nullopt;
-  };
-  return {spread(0), {spread(1), spread(2)}, {spread(3), spread(4)}};
+std::optional<double> known(double number) {
+  return std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+/// Of pmax and area, which begin there.
+WheelSpread wheel_spread(const Numbers& centre, const Numbers& spreads, std::size_t begin) {
+  WheelSpread wheel{{known(spreads[begin]), known(spreads[begin + 1])}, {}};
+  for (const std::size_t i : {begin, begin + 1}) {
+    if (std::isfinite(spreads[i])) {
+      const double excess = spreads[i] > 0.0 ? spreads[i] / (usable_spread * centre[i]) : 0.0;
+      wheel.grade = std::max(wheel.grade.value_or(Grade::fine),
+                             grade_of(Warning{WarningClass::profile_noise, {}, excess}));
+    }
+  }
+  return wheel;
+}
+
+SceneSpread spread_of_numbers(const Numbers& centre, Numbers squares) {
+  for (double& number : squares) {
+    number = deviations * std::sqrt(number);
+  }
+  return {known(squares[0]), wheel_spread(centre, squares, 1), wheel_spread(centre, squares, 3)};
 }
 
 SceneSpread spread_from(const NoisyScene& noisy) {
@@ -160,28 +187,41 @@ SceneSpread spread_from(const NoisyScene& noisy) {
   }
   const Numbers& centre = *solved;
   Numbers squares =
-      mean_squares(noisy, centre, &ProfileDoubt::likely, likely_lines, least_solutions);
+      mean_squares(noisy, centre, {&ProfileDoubt::likely}, likely_lines, least_solutions);
   const bool is_of_waves = std::ranges::any_of(
       std::array{noisy.left_wheel, noisy.left_rail, noisy.right_wheel, noisy.right_rail},
       [](const NoisyScene::Doubt& doubt) { return doubt.valid() && doubt.get().is_of_waves; });
   if (is_of_waves) {
     const Numbers waves =
-        mean_squares(noisy, centre, &ProfileDoubt::smoothed, smoothed_waves.size(), 1);
+        mean_squares(noisy, centre, {&ProfileDoubt::smoothed, 1}, smoothed_waves.size(), 1);
     for (std::size_t i = 0; i < squares.size(); ++i) {
       squares[i] += waves[i];
     }
   }
-  return spread_of_numbers(squares);
+  return spread_of_numbers(centre, squares);
+}
+
+SmoothedScene smoothed_from(const NoisyScene& noisy) {
+  SceneSolver solver;
+  SmoothedScene smoothed;
+  for (std::size_t i = 0; i < smoothed_waves.size(); ++i) {
+    if (const auto numbers = numbers_with(noisy, {&ProfileDoubt::smoothed, i, true}, solver)) {
+      smoothed.left[i] = {known((*numbers)[1]), known((*numbers)[2])};
+      smoothed.right[i] = {known((*numbers)[3]), known((*numbers)[4])};
+    }
+  }
+  return smoothed;
 }
 
 } // namespace
 
 SceneSpread exact_spread(const SceneResult& result) {
-  Numbers squares = numbers_of(result);
+  const Numbers centre = numbers_of(result);
+  Numbers squares = centre;
   for (double& square : squares) {
     square *= 0.0;
   }
-  return spread_of_numbers(squares);
+  return spread_of_numbers(centre, squares);
 }
 
 const SceneSpread& spread_of(SceneResult& result) {
@@ -189,6 +229,13 @@ const SceneSpread& spread_of(SceneResult& result) {
     result.spread = result.noise ? spread_from(*result.noise) : exact_spread(result);
   }
   return *result.spread;
+}
+
+const SmoothedScene* smoothed_of(SceneResult& result) {
+  if (!result.smoothed && result.noise) {
+    result.smoothed = smoothed_from(*result.noise);
+  }
+  return result.smoothed ? &*result.smoothed : nullptr;
 }
 
 } // namespace wrc

@@ -3,25 +3,37 @@
 /// Units mm, MPa. Thread rule: plain values.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 
 #include "keys/scene.hpp"
 #include "profile/profile.hpp"
+#include "results/grade.hpp"
 
 namespace wrc {
 
-/// Spreads of a wheel's results; none if it is not solved, or if too few likely curves give a
-/// solution.
-struct WheelSpread {
+/// None if the wheel is not solved, or if too few curves give a solution.
+struct PressedNumbers {
   std::optional<double> pmax{};
   std::optional<double> area{};
+};
+
+struct WheelSpread : PressedNumbers {
+  std::optional<Grade> grade{}; ///< of the larger of both, over what they are of
 };
 
 struct SceneSpread {
   std::optional<double> rolling_radius_difference{};
   WheelSpread left;
   WheelSpread right;
+};
+
+/// What each wheel has with its profiles of points smoothed by each of smoothed_waves.
+struct SmoothedScene {
+  using Wheel = std::array<PressedNumbers, smoothed_waves.size()>;
+  Wheel left;
+  Wheel right;
 };
 
 /// A scene and the doubts about its profiles.

@@ -20,6 +20,7 @@ enum class NumberGroup : std::uint8_t {
   centroid,
   residuals,
   spread,
+  smoothed,
   sensitivities,
   at_load,
   jacobian,

@@ -267,11 +267,33 @@ inline constexpr std::array residual_numbers{
     OfResiduals{"complementarity", pure, member<&Residuals::complementarity>},
 };
 
-/// With noisy profiles only.
 inline constexpr std::array spread_numbers{
     Number<WheelSpread>{"pmax", stress, member<&WheelSpread::pmax>},
     Number<WheelSpread>{"area", surface, member<&WheelSpread::area>},
+    Number<WheelSpread>{"grade", pure,
+                        [](const WheelSpread& s) {
+                          return s.grade ? std::optional<double>(static_cast<int>(*s.grade))
+                                         : std::nullopt;
+                        }},
 };
+/// With the wavelength at that place of smoothed_waves.
+template <std::size_t place, std::optional<double> PressedNumbers::*number>
+inline constexpr auto smoothed = [](const SmoothedScene::Wheel& w) { return w[place].*number; };
+using OfSmoothed = Number<SmoothedScene::Wheel>;
+/// With profiles of points only.
+inline constexpr std::array smoothed_numbers{
+    OfSmoothed{"0mm.pmax", stress, smoothed<0, &PressedNumbers::pmax>},
+    OfSmoothed{"0mm.area", surface, smoothed<0, &PressedNumbers::area>},
+    OfSmoothed{"3mm.pmax", stress, smoothed<1, &PressedNumbers::pmax>},
+    OfSmoothed{"3mm.area", surface, smoothed<1, &PressedNumbers::area>},
+    OfSmoothed{"5mm.pmax", stress, smoothed<2, &PressedNumbers::pmax>},
+    OfSmoothed{"5mm.area", surface, smoothed<2, &PressedNumbers::area>},
+    OfSmoothed{"8mm.pmax", stress, smoothed<3, &PressedNumbers::pmax>},
+    OfSmoothed{"8mm.area", surface, smoothed<3, &PressedNumbers::area>},
+    OfSmoothed{"15mm.pmax", stress, smoothed<4, &PressedNumbers::pmax>},
+    OfSmoothed{"15mm.area", surface, smoothed<4, &PressedNumbers::area>},
+};
+static_assert(smoothed_waves == std::array{0.0, 3.0, 5.0, 8.0, 15.0}); // of the names
 inline constexpr std::array scene_spread_numbers{
     Number<SceneSpread>{"rolling_radius_difference", length,
                         member<&SceneSpread::rolling_radius_difference>},
@@ -352,6 +374,8 @@ constexpr decltype(auto) with_table(NumberGroup group, Function&& function) {
     return function(spread_numbers);
   case NumberGroup::scene_spread:
     return function(scene_spread_numbers);
+  case NumberGroup::smoothed:
+    return function(smoothed_numbers);
   case NumberGroup::sensitivities:
     return function(sensitivity_numbers);
   case NumberGroup::at_load:

@@ -82,6 +82,19 @@ double spread_value(SceneResult& result, const Reading& reading) {
   return value;
 }
 
+/// Not-a-number where the solution with the smoothed profiles fails.
+double smoothed_value(SceneResult& result, const Reading& reading) {
+  const std::optional<SceneWheel>& side = side_of(result, reading.id);
+  const SmoothedScene* const smoothed = side && side->solved ? smoothed_of(result) : nullptr;
+  if (smoothed == nullptr) {
+    return none;
+  }
+  const double value =
+      reading.value(smoothed_numbers, reading.id.right ? &smoothed->right : &smoothed->left);
+  reading.is_always = true;
+  return value;
+}
+
 double side_value(SceneWheel& side, const Reading& reading) {
   switch (reading.id.group) {
   case NumberGroup::side:
@@ -207,6 +220,11 @@ std::vector<std::string> number_names(SceneResult& result) {
     if (side) {
       add_side_names(names, prefix, *side);
       add_names(names, prefix + "spread.", spread_numbers, right ? &spread.right : &spread.left);
+      if (result.noise && side->solved) {
+        for (const auto& number : smoothed_numbers) { // not computed for a name
+          names.push_back(prefix + "smoothed_" + std::string(number.name));
+        }
+      }
     }
   }
   if (wheelset_force(result)) {
@@ -231,6 +249,8 @@ double read(SceneResult& result, const Reading& reading) {
   case NumberGroup::spread:
   case NumberGroup::scene_spread:
     return spread_value(result, reading);
+  case NumberGroup::smoothed:
+    return smoothed_value(result, reading);
   default:
     break;
   }

@@ -42,11 +42,12 @@ struct SceneResult {
   std::optional<SceneWheel> left;
   std::optional<SceneWheel> right;
   StageMilliseconds time;
-  std::vector<std::string> corrections; ///< made to profiles read from files
-  UnusedKeys unused_keys;               ///< of the scene
-  ProfileWarnings profile_warnings;     ///< of the profiles it was solved with
-  std::optional<NoisyScene> noise;      ///< with profiles of points
-  std::optional<SceneSpread> spread;    ///< once it was requested, see spread_of
+  std::vector<std::string> corrections;  ///< made to profiles read from files
+  UnusedKeys unused_keys;                ///< of the scene
+  ProfileWarnings profile_warnings;      ///< of the profiles it was solved with
+  std::optional<NoisyScene> noise;       ///< with profiles of points
+  std::optional<SceneSpread> spread;     ///< once it was requested, see spread_of
+  std::optional<SmoothedScene> smoothed; ///< likewise, see smoothed_of
 };
 
 } // namespace wrc

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <future>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -171,6 +172,61 @@ TEST(NoiseSpread, OfPointsFarApartIsNotKnown) {
     const Profile wheel = noisy_wheel({0.02, 3.0, 0.0, 1}, wavelength);
     SceneResult result = solve_scene(scene_with(wheel));
     EXPECT_TRUE(std::isnan(number(result, "left.spread.pmax"))) << wavelength;
+  }
+}
+
+/// Grid, tolerance and solver of the scene are for its own solution: 15 more on a grid of 1024 x
+/// 1024 would take a gigabyte.
+TEST(NoiseSpread, HasGridsOfItsOwn) {
+  Scene scene = scene_with(noisy_wheel({0.005, 0.25, 0.0, 1}, automatic_smoothing));
+  SceneResult plain = solve_scene(scene);
+  scene.grid = {{48, 32}};
+  scene.tolerance = 1e-2;
+  scene.solver = SolverChoice::paper;
+  SceneResult prescribed = solve_scene(scene);
+  EXPECT_NE(number(plain, "left.pmax"), number(prescribed, "left.pmax"));
+  for (const char* name : {"left.spread.pmax", "left.spread.area", "left.smoothed_5mm.pmax"})
+    EXPECT_EQ(number(plain, name), number(prescribed, name)) << name;
+}
+
+/// What smoothing does to the results, whatever the profile itself was smoothed with.
+TEST(NoiseSpread, ResultsDependOnTheWavelength) {
+  const Noise noise{0.02, 0.25, 0.0, 1};
+  SceneResult result = solve_scene(scene_with(noisy_wheel(noise, automatic_smoothing)));
+  double before = HUGE_VAL;
+  for (const double wavelength : smoothed_waves) {
+    const std::string name = "left.smoothed_" + std::to_string(static_cast<int>(wavelength));
+    SceneResult direct = solve_scene(scene_with(noisy_wheel(noise, wavelength)));
+    const double pmax = number(result, (name + "mm.pmax").c_str());
+    EXPECT_EQ(pmax, number(direct, "left.pmax")) << name;
+    EXPECT_EQ(number(result, (name + "mm.area").c_str()), number(direct, "left.area")) << name;
+    EXPECT_LT(pmax, before) << name;
+    before = pmax;
+  }
+  EXPECT_GT(number(result, "left.smoothed_0mm.pmax"), 5.0 * true_pmax);
+  const std::vector<std::string> names = number_names(result);
+  EXPECT_EQ(std::ranges::count(names, "right.smoothed_15mm.area"), 1);
+}
+
+TEST(NoiseSpread, ExactProfilesAreNotSmoothed) {
+  SceneResult result = solve_scene(Scene());
+  EXPECT_FALSE(number_value(result, "left.smoothed_3mm.pmax"));
+  EXPECT_TRUE(std::ranges::none_of(number_names(result), [](const std::string& name) {
+    return name.find("smoothed_") != std::string::npos;
+  }));
+}
+
+/// Up to 10 % is fine, beyond 20 % a result is not to be used.
+TEST(NoiseSpread, HasAGrade) {
+  SceneResult exact = solve_scene(Scene());
+  EXPECT_EQ(number(exact, "left.spread.grade"), 0.0);
+  for (const auto& [deviation, grade] : {std::pair(0.0002, 0.0), {0.02, 1.0}, {0.05, 2.0}}) {
+    SceneResult result =
+        solve_scene(scene_with(noisy_wheel({deviation, 0.1, 0.0, 1}, automatic_smoothing)));
+    const double share = number(result, "left.spread.pmax") / number(result, "left.pmax");
+    EXPECT_EQ(number(result, "left.spread.grade"), grade) << share;
+    EXPECT_EQ(share < 0.1, grade == 0.0) << share;
+    EXPECT_EQ(share > 0.2, grade == 2.0) << share;
   }
 }
 
