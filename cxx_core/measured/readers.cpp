@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <future>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -180,10 +179,9 @@ void join(Profile& profile, const ReadOptions& options, Log& log) {
     }
     profile.curve = curve_through(profile.points);
     const bool is_fitted = wavelength != 0.0;
-    const auto doubt = [=, curve = profile.curve] {
+    profile.doubt = Deferred<ProfileDoubt>([=, curve = profile.curve] {
       return doubt_of(points, curve, is_fitted ? clean : noise_removed_from(points));
-    };
-    profile.doubt = std::async(std::launch::deferred, doubt).share();
+    });
   } catch (const Error& error) {
     log.refuse(error.what());
   }

@@ -7,12 +7,12 @@
 #pragma once
 
 #include <array>
-#include <future>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/deferred.hpp"
 #include "base/warning.hpp"
 #include "profile/curve.hpp"
 
@@ -45,8 +45,8 @@ struct Profile {
   Curve curve;
   /// What the curve was drawn through; none of a built-in profile.
   std::vector<Position> points{};
-  Warnings warnings{};                      ///< what no wheel or rail has, found when it was read
-  std::shared_future<ProfileDoubt> doubt{}; ///< found when asked for; not valid of exact curves
+  Warnings warnings{};            ///< what no wheel or rail has, found when it was read
+  Deferred<ProfileDoubt> doubt{}; ///< not valid of exact curves
 };
 
 /// Names of the built-in profiles, in the order in which they are listed for users.

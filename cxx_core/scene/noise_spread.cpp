@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "base/error.hpp"
 #include "measured/constants.hpp"
@@ -41,12 +42,15 @@ struct Line {
   bool is_of_all = false; ///< smoothed ones also of profiles whose waves are no noise
 };
 
+bool is_changed(const ProfileDoubt& doubt, const Line& line) {
+  return line.curves == &ProfileDoubt::likely ||
+         (line.curves == &ProfileDoubt::smoothed && (line.is_of_all || doubt.is_of_waves));
+}
+
 const Curve& curve_of(const ProfileDoubt& doubt, const Line& line) {
-  const bool is_changed =
-      line.curves == &ProfileDoubt::likely ||
-      (line.curves == &ProfileDoubt::smoothed && (line.is_of_all || doubt.is_of_waves));
-  return is_changed && line.number < (doubt.*line.curves).size() ? (doubt.*line.curves)[line.number]
-                                                                 : doubt.curve;
+  return is_changed(doubt, line) && line.number < (doubt.*line.curves).size()
+             ? (doubt.*line.curves)[line.number]
+             : doubt.curve;
 }
 
 void take_curve(ProfileChoice& choice, ProfileKind kind, const NoisyScene::Doubt& doubt,
@@ -123,36 +127,51 @@ std::optional<Numbers> numbers_with(const NoisyScene& noisy, const Line& line,
   }
 }
 
-/// Mean squares of differences from the result, of the lines from the first one up to `most`;
-/// not-a-number of too few.
-Numbers mean_squares(const NoisyScene& noisy, const Numbers& centre, Line line, std::size_t most,
-                     int least) {
-  SceneSolver solver;
-  Numbers squares{};
-  std::array<int, std::tuple_size_v<Numbers>> counts{};
-  std::size_t lines = most;
+constexpr Numbers no_numbers = [] {
+  Numbers numbers{};
+  numbers.fill(std::numeric_limits<double>::quiet_NaN());
+  return numbers;
+}();
+
+/// Of the lines from the first one to `most`, or to the last that all profiles have.
+std::vector<Numbers> numbers_of_lines(const NoisyScene& noisy, Line line, std::size_t most) {
   for (const NoisyScene::Doubt* doubt :
        {&noisy.left_wheel, &noisy.left_rail, &noisy.right_wheel, &noisy.right_rail}) {
-    if (doubt->valid() && (line.curves == &ProfileDoubt::likely || doubt->get().is_of_waves)) {
-      lines = std::min(lines, (doubt->get().*line.curves).size());
+    if (doubt->valid() && is_changed(doubt->get(), line)) {
+      most = std::min(most, (doubt->get().*line.curves).size());
     }
   }
-  for (; line.number < lines; ++line.number) {
-    if (const std::optional<Numbers> numbers = numbers_with(noisy, line, solver)) {
-      for (std::size_t i = 0; i < numbers->size(); ++i) {
-        const double difference = (*numbers)[i] - centre[i];
-        if (std::isfinite(difference)) {
-          squares[i] += difference * difference;
-          ++counts[i];
-        }
+  SceneSolver solver;
+  std::vector<Numbers> lines;
+  for (; line.number < most; ++line.number) {
+    lines.push_back(numbers_with(noisy, line, solver).value_or(no_numbers));
+  }
+  return lines;
+}
+
+/// Mean squares of differences from the result; not-a-number of too few.
+Numbers mean_squares(const std::vector<Numbers>& lines, const Numbers& centre, int least) {
+  Numbers squares{};
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    int count = 0;
+    for (const Numbers& numbers : lines) {
+      const double difference = numbers[i] - centre[i];
+      if (std::isfinite(difference)) {
+        squares[i] += difference * difference;
+        ++count;
       }
     }
-  }
-  for (std::size_t i = 0; i < squares.size(); ++i) {
-    squares[i] =
-        counts[i] >= least ? squares[i] / counts[i] : std::numeric_limits<double>::quiet_NaN();
+    squares[i] = count >= least ? squares[i] / count : std::numeric_limits<double>::quiet_NaN();
   }
   return squares;
+}
+
+std::vector<double> radius_differences(const std::vector<Numbers>& lines) {
+  std::vector<double> differences;
+  for (const Numbers& numbers : lines) {
+    differences.push_back(numbers[0]);
+  }
+  return differences;
 }
 
 std::optional<double> known(double number) {
@@ -176,7 +195,11 @@ SceneSpread spread_of_numbers(const Numbers& centre, Numbers squares) {
   for (double& number : squares) {
     number = deviations * std::sqrt(number);
   }
-  return {known(squares[0]), wheel_spread(centre, squares, 1), wheel_spread(centre, squares, 3)};
+  return {known(squares[0]),
+          wheel_spread(centre, squares, 1),
+          wheel_spread(centre, squares, 3),
+          {},
+          {}};
 }
 
 SceneSpread spread_from(const NoisyScene& noisy) {
@@ -186,29 +209,34 @@ SceneSpread spread_from(const NoisyScene& noisy) {
     return {};
   }
   const Numbers& centre = *solved;
-  Numbers squares =
-      mean_squares(noisy, centre, {&ProfileDoubt::likely}, likely_lines, least_solutions);
-  const bool is_of_waves = std::ranges::any_of(
-      std::array{noisy.left_wheel, noisy.left_rail, noisy.right_wheel, noisy.right_rail},
-      [](const NoisyScene::Doubt& doubt) { return doubt.valid() && doubt.get().is_of_waves; });
-  if (is_of_waves) {
-    const Numbers waves =
-        mean_squares(noisy, centre, {&ProfileDoubt::smoothed, 1}, smoothed_waves.size(), 1);
+  const std::vector<Numbers> likely =
+      numbers_of_lines(noisy, {&ProfileDoubt::likely}, likely_lines);
+  Numbers squares = mean_squares(likely, centre, least_solutions);
+  std::vector<Numbers> smoothed;
+  if (std::ranges::any_of(
+          std::array{noisy.left_wheel, noisy.left_rail, noisy.right_wheel, noisy.right_rail},
+          [](const NoisyScene::Doubt& doubt) {
+            return doubt.valid() && doubt.get().is_of_waves;
+          })) {
+    smoothed = numbers_of_lines(noisy, {&ProfileDoubt::smoothed, 1}, smoothed_waves.size());
+    const Numbers waves = mean_squares(smoothed, centre, 1);
     for (std::size_t i = 0; i < squares.size(); ++i) {
       squares[i] += waves[i];
     }
   }
-  return spread_of_numbers(centre, squares);
+  SceneSpread spread = spread_of_numbers(centre, squares);
+  spread.likely_differences = radius_differences(likely);
+  spread.smoothed_differences = radius_differences(smoothed);
+  return spread;
 }
 
 SmoothedScene smoothed_from(const NoisyScene& noisy) {
-  SceneSolver solver;
+  const std::vector<Numbers> lines =
+      numbers_of_lines(noisy, {&ProfileDoubt::smoothed, 0, true}, smoothed_waves.size());
   SmoothedScene smoothed;
-  for (std::size_t i = 0; i < smoothed_waves.size(); ++i) {
-    if (const auto numbers = numbers_with(noisy, {&ProfileDoubt::smoothed, i, true}, solver)) {
-      smoothed.left[i] = {known((*numbers)[1]), known((*numbers)[2])};
-      smoothed.right[i] = {known((*numbers)[3]), known((*numbers)[4])};
-    }
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    smoothed.left[i] = {known(lines[i][1]), known(lines[i][2])};
+    smoothed.right[i] = {known(lines[i][3]), known(lines[i][4])};
   }
   return smoothed;
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "keys/scene.hpp"
 #include "profile/profile.hpp"
@@ -27,6 +28,10 @@ struct SceneSpread {
   std::optional<double> rolling_radius_difference{};
   WheelSpread left;
   WheelSpread right;
+  /// rolling_radius_difference with each likely curve, and with each smoothed one where waves may
+  /// be noise; not-a-number where there is none.
+  std::vector<double> likely_differences{};
+  std::vector<double> smoothed_differences{};
 };
 
 /// What each wheel has with its profiles of points smoothed by each of smoothed_waves.
@@ -38,7 +43,7 @@ struct SmoothedScene {
 
 /// A scene and the doubts about its profiles.
 struct NoisyScene {
-  using Doubt = std::shared_future<ProfileDoubt>; ///< none: not valid
+  using Doubt = Deferred<ProfileDoubt>; ///< none: not valid
 
   Scene scene;
   Doubt left_wheel;

@@ -7,6 +7,7 @@
 
 #include "creep/rolling_frame.hpp"
 #include "results/combined_contact.hpp"
+#include "scene/noise_spread.hpp"
 #include "scene/patch_fields.hpp"
 #include "scene/result_names.hpp"
 
@@ -204,6 +205,15 @@ struct FieldName {
   std::string_view field;
 };
 
+/// Of the scene: what a spread is computed from.
+struct SpreadField {
+  std::string_view name;
+  std::vector<double> SceneSpread::*values;
+};
+constexpr std::array spread_fields{
+    SpreadField{"spread.likely_radius_differences", &SceneSpread::likely_differences},
+    SpreadField{"spread.smoothed_radius_differences", &SceneSpread::smoothed_differences}};
+
 /// None for a name without a side, or with an index that is none.
 std::optional<FieldName> parts_of(std::string_view name) {
   constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
@@ -245,6 +255,9 @@ std::optional<std::vector<double>> field_values(SceneResult& result, std::string
     }
     return values;
   };
+  if (const SpreadField* const field = named(spread_fields, name)) {
+    return all_told(spread_of(result).*field->values, length);
+  }
   const std::optional<FieldName> at = parts_of(name);
   if (!at) {
     return std::nullopt;
@@ -279,8 +292,9 @@ std::optional<std::vector<double>> field_values(SceneResult& result, std::string
 
 bool names_field(std::string_view name) {
   const std::optional<FieldName> at = parts_of(name);
-  return at && ((named(outlines, at->field) && !at->is_of_patch) || named(lobe_fields, at->field) ||
-                patch_field(at->field));
+  return named(spread_fields, name) ||
+         (at && ((named(outlines, at->field) && !at->is_of_patch) ||
+                 named(lobe_fields, at->field) || patch_field(at->field)));
 }
 
 std::vector<std::string> possible_field_names() {
@@ -290,6 +304,7 @@ std::vector<std::string> possible_field_names() {
       names.push_back(std::string(prefix).append(entry.name));
     }
   };
+  add("", spread_fields);
   add("left.", outlines);
   add("left.patches.0.", lobe_fields);
   add("left.patches.0.", patch_fields);
