@@ -49,4 +49,11 @@ struct EquivalentConicity {
 /// amplitude since the wheelset runs away to another position of rest.
 EquivalentConicity equivalent_conicity(const RadiusDifference& samples, double amplitude);
 
+/// Half of the range in which the conicity lies in 95 of 100 cases: from the root mean square of
+/// the differences that likely curves of the profiles make, and the largest that smoothed ones
+/// make, added in squares. The largest, since all of them keep waves longer than 15 mm, on which
+/// conicities depend more than pressures do. NaN if too few curves have a conicity.
+double conicity_spread(const RadiusDifference& centre, const std::vector<RadiusDifference>& likely,
+                       const std::vector<RadiusDifference>& smoothed, double amplitude);
+
 } // namespace driver

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "reports/conicity.hpp"
 #include "support/gnuplot.hpp"
 #include "support/numbers.hpp"
-#include "support/scene.hpp"
 
 namespace driver {
 namespace {
@@ -14,21 +14,38 @@ namespace {
 constexpr double amplitude_step = 0.25;
 constexpr double least_amplitude = 0.5;
 constexpr double most_amplitude = 12.0;
-constexpr auto standard_index =
-    static_cast<std::size_t>((standard_amplitude - least_amplitude) / amplitude_step);
+constexpr std::size_t index_of(double amplitude) {
+  return static_cast<std::size_t>((amplitude - least_amplitude) / amplitude_step);
+}
+constexpr std::size_t standard_index = index_of(standard_amplitude);
 
+/// Distance of positions that spreads are computed at, mm. Origin: reasoned: a spread is known to a
+/// fifth by ten curves; the curves themselves are no rougher than waves of 3 mm.
+constexpr double spread_step = 0.25;
 } // namespace
 
 double ConicityCurve::standard() const {
   return conicity[standard_index];
 }
 
+double ConicityCurve::nonlinearity() const {
+  return 0.5 * (conicity[index_of(4.0)] - conicity[index_of(2.0)]);
+}
+
 std::string ConicityCurve::in_words(const std::string& shown) const {
   const std::string at = " at an amplitude of " + general(standard_amplitude) + " mm";
-  return one_line(shown) + (shown.empty() ? "" : ": ") +
-         (std::isnan(standard())
-              ? "no equivalent conicity" + at + ": " + no_conicity[standard_index]
-              : "equivalent conicity " + fixed(standard(), 4) + at);
+  const std::string subject = one_line(shown) + (shown.empty() ? "" : ": ");
+  if (std::isnan(standard())) {
+    return subject + "no equivalent conicity" + at + ": " + no_conicity[standard_index];
+  }
+  std::string text = subject + "equivalent conicity " + fixed(standard(), 4);
+  if (!spread.empty() && spread[standard_index] > 0.0) {
+    text += " +- " + fixed(spread[standard_index], 4);
+  }
+  text += at;
+  return std::isnan(nonlinearity())
+             ? text
+             : text + ", nonlinearity parameter " + fixed(nonlinearity(), 4) + " per mm";
 }
 
 ConicityCurve conicity_curve(const std::vector<double>& lateral, const std::vector<double>& radius,
@@ -52,6 +69,56 @@ ConicityCurve conicity_curve(const std::vector<double>& lateral, const std::vect
     curve.no_conicity.push_back(conicity.reason);
   }
   return curve;
+}
+
+void add_spread(ConicityCurve& curve, Scene scene, const std::string& key) {
+  curve.spread.assign(curve.amplitude.size(), 0.0);
+  if (curve.lateral.empty()) {
+    return;
+  }
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  RadiusDifference centre;
+  std::vector<RadiusDifference> likely;
+  std::vector<RadiusDifference> smoothed;
+  scene.set("solve.until", "geometry");
+  Solver solver; // reads profiles once
+  const double first = curve.lateral.front();
+  const auto steps = static_cast<int>((curve.lateral.back() - first) / spread_step);
+  for (int i = 0; i <= steps; ++i) {
+    const double lateral = first + spread_step * i;
+    std::vector<double> likely_here;
+    std::vector<double> smoothed_here;
+    double here = none;
+    try {
+      scene.set(key, lateral);
+      solver.solve(scene);
+      likely_here = scene.field("spread.likely_radius_differences");
+      smoothed_here = scene.field("spread.smoothed_radius_differences");
+      here = scene.number("rolling_radius_difference");
+    } catch (const std::exception&) { // off the rail: there is none
+    }
+    if (!std::isnan(here) && likely_here.empty()) { // built in, or points too far apart to tell
+      const double known = scene.number_or("spread.rolling_radius_difference", none);
+      curve.spread.assign(curve.amplitude.size(), known);
+      return;
+    }
+    const auto add = [&](std::vector<RadiusDifference>& lines, const std::vector<double>& values) {
+      lines.resize(std::max(lines.size(), values.size()));
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        lines[k].lateral.push_back(lateral);
+        lines[k].difference.push_back(values[k]);
+      }
+    };
+    add(likely, likely_here);
+    add(smoothed, smoothed_here);
+    if (!std::isnan(here)) {
+      centre.lateral.push_back(lateral);
+      centre.difference.push_back(here);
+    }
+  }
+  for (std::size_t i = 0; i < curve.spread.size(); ++i) {
+    curve.spread[i] = conicity_spread(centre, likely, smoothed, curve.amplitude[i]);
+  }
 }
 
 void draw_conicity_curves(const std::vector<ConicityCurve>& curves, const std::string& title,

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "support/scene.hpp"
+
 namespace driver {
 
 /// The amplitude at which conicities are compared (EN 15302), mm.
@@ -22,9 +24,16 @@ struct ConicityCurve {
   std::vector<double> amplitude; ///< 0.5 to 12 mm
   std::vector<double> conicity;  ///< NaN where there is none
   std::vector<std::string> no_conicity; ///< why
+  /// Half of the range in which the conicity lies in 95 of 100 cases, as far as noise and short
+  /// waves of profiles go; 0 with profiles that are built in, NaN where it is not known.
+  std::vector<double> spread;
 
   /// At `standard_amplitude`; NaN if there is none.
   [[nodiscard]] double standard() const;
+  /// The nonlinearity parameter: half of the conicity at 4 mm less that at 2 mm, 1/mm (Polach,
+  /// Characteristic parameters of nonlinear wheel/rail contact geometry, Veh. Syst. Dyn. 48, 2010);
+  /// NaN if there is none.
+  [[nodiscard]] double nonlinearity() const;
   /// A sentence without full stop about what is called `shown`.
   [[nodiscard]] std::string in_words(const std::string& shown) const;
 };
@@ -34,6 +43,10 @@ struct ConicityCurve {
 ConicityCurve conicity_curve(const std::vector<double>& lateral, const std::vector<double>& radius,
                              const std::vector<double>& left_angle,
                              const std::vector<double>& right_angle);
+
+/// Fills the spread, by solving the scene at positions `key` (pose.lateral) from the first to the
+/// last of the curve, with each curve that is as likely as that of the profiles.
+void add_spread(ConicityCurve& curve, Scene scene, const std::string& key);
 
 /// Curves below each other; `note` and `end_of_note` are script lines before the first panel and
 /// after each one.

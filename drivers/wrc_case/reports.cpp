@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "reports/patches.hpp"
+#include "reports/smoothing.hpp"
 #include "reports/warning_summary.hpp"
 #include "support/csv_table.hpp"
 #include "support/json.hpp"
@@ -204,11 +205,27 @@ void print_patch_places(const Scene& scene, std::ostream& out) {
                             {"fill", "%", "fill", 8, 1, 1e2}});
 }
 
+/// What pmax and area would be, were profiles of points smoothed otherwise.
+void print_smoothing(const Scene& scene, std::ostream& out) {
+  TextTable table("llr", {22, 4, 10});
+  for (std::vector<std::string>& row : smoothing_rows(scene)) {
+    if (table.row_count() == 0) {
+      table.add({});
+    }
+    table.add(std::move(row));
+  }
+  table.print(out);
+}
+
 void print_texts(const Scene& scene, std::ostream& out) {
   for (const std::string& correction : texts_of(scene, "corrections")) {
     out << "Corrected: " << one_line(correction) << '\n';
   }
-  for (const std::string& line : lines_of(warnings_of(scene))) {
+  std::vector<Warning> warnings = warnings_of(scene);
+  for (Warning& warning : spread_warnings(scene)) {
+    warnings.push_back(std::move(warning));
+  }
+  for (const std::string& line : lines_of(warnings)) {
     out << line << '\n';
   }
 }
@@ -292,6 +309,7 @@ void print_table(const Scene& scene, std::ostream& out) {
   }
   table.print(out);
   if (until == "mechanics") {
+    print_smoothing(scene, out);
     print_patch_forces(scene, out);
     print_creep_forces(scene, out);
   }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "reports/profile_picture.hpp"
+#include "reports/smoothing.hpp"
 #include "support/output_file.hpp"
 #include "support/program.hpp"
 #include "support/scene.hpp"
@@ -177,6 +178,21 @@ Conversion convert(const Profile& profile, const std::string& path, double spaci
   return {path, spacing, compare(profile, load_file("--convert", path, options))};
 }
 
+/// On a built-in rail or under a built-in wheel; none where they do not touch.
+std::optional<Scene> contact_of(const Profile& profile) {
+  Scene scene;
+  scene.set("solve.side", "left");
+  scene.set("solve.accuracy", 1e-2);
+  scene.set(is_wheel(profile) ? "wheelset.wheel" : "track.rail", profile);
+  try {
+    scene.solve();
+  } catch (const wrcontact::Error&) {
+    return std::nullopt;
+  }
+  return scene.has_number("left.smoothed_0mm.pmax") ? std::optional(std::move(scene))
+                                                    : std::nullopt;
+}
+
 std::string unless_positive(const std::string& text) {
   const std::optional<double> value = number_in(text);
   return value && *value > 0.0 && std::isfinite(*value)
@@ -323,6 +339,17 @@ int run(const Program& app, const Arguments& arguments) {
   }
   if (!arguments.convert.empty()) {
     report.conversion = convert(report.profile, arguments.convert, arguments.spacing);
+  }
+  if (!is_standard(arguments.name)) {
+    report.contact = contact_of(report.profile);
+    for (const Warning& warning : report.contact&& arguments.strict && !app.has("--smooth")
+                                      ? spread_warnings(*report.contact)
+                                      : std::vector<Warning>()) {
+      if (warning.grade == WRC_DO_NOT_USE) {
+        throw Failure(arguments.name + ": strict reading refuses it: " + warning.text +
+                      "; state the smoothing: --smooth auto, a wavelength in mm or 0");
+      }
+    }
   }
   if (arguments.points) {
     const double least_spacing = measures.length / most_points;

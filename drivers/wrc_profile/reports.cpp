@@ -4,6 +4,8 @@
 #include <iomanip>
 #include <numbers>
 
+#include "reports/smoothing.hpp"
+#include "reports/warning_summary.hpp"
 #include "support/json.hpp"
 #include "support/numbers.hpp"
 #include "support/scene.hpp"
@@ -11,6 +13,10 @@
 
 namespace driver {
 namespace {
+
+const char* mate_of(const Profile& profile) {
+  return is_wheel(profile) ? "60E1" : "S1002";
+}
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr int label_width = 20;
@@ -153,6 +159,18 @@ void print_table(const ProfileReport& report, std::ostream& out) {
   out << "\nDimensions\n";
   print_dimensions(measures.dimensions, out);
   print_checks(measures.checks, out);
+  if (report.contact) {
+    out << "\nLeft contact with " << mate_of(profile) << ", centred, "
+        << general(report.contact->get_number("load.left")) << " N\n";
+    TextTable table("llr", {22, 4, 10});
+    for (std::vector<std::string>& row : smoothing_rows(*report.contact)) {
+      table.add(std::move(row));
+    }
+    table.print(out);
+    for (const std::string& line : lines_of(spread_warnings(*report.contact))) {
+      out << "  " << line << '\n';
+    }
+  }
   if (report.comparison) {
     out << "\nNormal distance to " << one_line(*report.other_name)
         << " (positive: that one is higher)\n";
@@ -209,6 +227,22 @@ void print_json(const ProfileReport& report, std::ostream& out) {
                        {"height", {measures.least_height, measures.greatest_height}}};
   object["dimensions"] = json_of(measures.dimensions);
   object["checks"] = json_of(measures.checks);
+  if (report.contact) {
+    json& contact = object["contact"];
+    const auto number = [&report](const std::string& name) { // not a number becomes null
+      return report.contact->number_or(name, std::nan(""));
+    };
+    contact["with"] = mate_of(report.profile);
+    for (const char* name : {"pmax", "area", "spread.pmax", "spread.area", "spread.grade"}) {
+      contact[name] = number(std::string("left.") + name);
+    }
+    for (const char* wave : {"0", "3", "5", "8", "15"}) {
+      for (const char* name : {"pmax", "area"}) {
+        const std::string result = std::string("smoothed_") + wave + "mm." + name;
+        contact[result] = number("left." + result);
+      }
+    }
+  }
   if (report.comparison) {
     object["comparison"] = json_of(*report.comparison);
     object["comparison"]["other"] = *report.other_name;

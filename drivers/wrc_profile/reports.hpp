@@ -25,7 +25,8 @@ struct ProfileReport {
   std::optional<Comparison> comparison;
   std::optional<Conversion> conversion;
   std::vector<ProfilePoint> points;
-  std::vector<double> distances; ///< from these points to the other profile, NaN beyond its ends
+  std::vector<double> distances;  ///< from these points to the other profile, NaN beyond its ends
+  std::optional<Scene> contact{}; ///< solved with a built-in mate; of a profile of points
 };
 
 /// A table for people.

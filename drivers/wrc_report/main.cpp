@@ -8,6 +8,7 @@
 
 #include "reports/profile_picture.hpp"
 #include "reports/scene_picture.hpp"
+#include "reports/smoothing.hpp"
 #include "reports/warning_summary.hpp"
 #include "support/gnuplot.hpp"
 #include "support/html.hpp"
@@ -268,12 +269,12 @@ void draw_positions(const std::vector<Position>& positions, const std::filesyste
 
 void add_conicity(HtmlPage& page, const PictureFolder& folder, ConicityCurve conicity) {
   page.heading("Equivalent conicity");
-  std::vector<std::vector<std::string>> rows{{"amplitude, mm", "equivalent conicity", ""}};
+  std::vector<std::vector<std::string>> rows{{"amplitude, mm", "equivalent conicity", "±", ""}};
   for (std::size_t i = 0; i < conicity.amplitude.size(); ++i) {
     if (conicity.amplitude[i] == std::floor(conicity.amplitude[i]) &&
         (!std::isnan(conicity.conicity[i]) || conicity.amplitude[i] == standard_amplitude)) {
       rows.push_back({fixed(conicity.amplitude[i], 0), number(conicity.conicity[i], 4),
-                      conicity.no_conicity[i]});
+                      number(conicity.spread[i], 4), conicity.no_conicity[i]});
     }
   }
   page.table(rows);
@@ -340,6 +341,11 @@ std::string report(const Options& options) {
   if (trouble.empty()) {
     draw_scene(centre, folder / "centre.png", {}); // they stand above
     page.picture(folder / "centre.png", "profiles in contact and pressures of both wheels");
+    if (const auto rows = smoothing_rows(centre); !rows.empty()) {
+      page.paragraph("What waves that are noise or shape make of it, by the smoothing:");
+      page.table(rows);
+      page.list(lines_of(spread_warnings(centre)));
+    }
   } else {
     page.paragraph(shorten("Not solved: " + trouble));
   }

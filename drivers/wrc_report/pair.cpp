@@ -141,7 +141,9 @@ ConicityCurve conicity_of(const Pair& pair) {
     } catch (const std::exception&) { // off the rail: there is none
     }
   }
-  return conicity_curve(lateral, radius, left, right);
+  ConicityCurve curve = conicity_curve(lateral, radius, left, right);
+  add_spread(curve, std::move(scene), "pose.lateral");
+  return curve;
 }
 
 } // namespace driver

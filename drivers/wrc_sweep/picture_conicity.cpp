@@ -22,6 +22,13 @@ ConicityCurve curve_of(const PictureRequest& picture, const PictureData& data,
   ConicityCurve curve =
       conicity_curve(lateral, line("rolling_radius_difference"), line("left.rigid_contact.angle"),
                      line("right.rigid_contact.angle"));
+  if (!curve.lateral.empty()) {
+    Values where = entry.where;
+    where.insert_or_assign(picture.x, curve.lateral.front());
+    Scene scene;
+    data.study().apply(data.find(where), scene);
+    add_spread(curve, std::move(scene), picture.x);
+  }
   curve.name = entry.name;
   curve.title =
       entry.title + (entry.title.empty() ? "" : ": ") +
@@ -31,11 +38,13 @@ ConicityCurve curve_of(const PictureRequest& picture, const PictureData& data,
 
 void write_table(const std::vector<ConicityCurve>& curves, const std::filesystem::path& path) {
   OutputFile file(path);
-  CsvLine(file.stream()).add(words("series amplitude equivalent_conicity message"));
+  CsvLine(file.stream()).add(words("series amplitude equivalent_conicity spread message"));
   for (const ConicityCurve& curve : curves) {
     for (std::size_t i = 0; i < curve.amplitude.size(); ++i) {
       CsvLine(file.stream()) << curve.name << text_of(curve.amplitude[i])
-                             << text_of(curve.conicity[i]) << curve.no_conicity[i];
+                             << text_of(curve.conicity[i])
+                             << (curve.spread.empty() ? "" : text_of(curve.spread[i]))
+                             << curve.no_conicity[i];
     }
   }
   file.commit();

@@ -99,8 +99,18 @@ std::vector<std::string> default_results() {
 
 std::vector<std::string> all_results() {
   // Scenes that have whatever there is: both sides, creep forces, damage, contacts that almost
-  // touch, and a contact of several parts on the one or the other side.
+  // touch, a contact of several parts on the one or the other side, and a wheel of points.
+  Profile exact;
+  exact.load_standard("S1002");
+  Profile::Points points;
+  for (double arc = 0.0; arc < exact.length(); arc += 1.0) {
+    points.lateral.push_back(exact.at(arc).lateral);
+    points.height.push_back(exact.at(arc).height);
+  }
+  Profile wheel;
+  wheel.set_points("points", WRC_WHEEL, points.lateral, points.height, 0.0);
   Scene scene;
+  scene.set("wheelset.wheel", wheel);
   scene.set("solve.accuracy", 0.1);
   scene.set("solve.near_tolerance", 10.0);
   scene.set("track.rail", "UIC60-Manchester");

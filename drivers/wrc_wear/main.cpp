@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <iostream>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,10 +39,11 @@ struct Passage {
 /// clearance of the flange, if they never do.
 double lateral_for(Scene& scene, double wanted, double clearance) {
   scene.set("solve.until", "geometry");
+  Solver solver; // reads profiles once
   double before = 0.0;
   for (double lateral = 0.0; lateral <= clearance; lateral += 0.25) {
     scene.set("pose.lateral", -lateral);
-    scene.solve();
+    solver.solve(scene);
     const double difference = -scene.number("rolling_radius_difference");
     if (difference >= wanted) {
       return lateral == 0.0 ? 0.0 : lateral - 0.25 * (difference - wanted) / (difference - before);
@@ -51,7 +53,9 @@ double lateral_for(Scene& scene, double wanted, double clearance) {
   return clearance;
 }
 
-Scene scene_on(const WornProfile& wheel, const std::vector<std::string>& assignments) {
+/// `rail`: instead of that of the keys, if there is one.
+Scene scene_on(const WornProfile& wheel, const std::optional<Profile>& rail,
+               const std::vector<std::string>& assignments) {
   Scene scene;
   scene.set("solve.accuracy", 1e-2);
   scene.set("solve.accuracy_of", "forces");
@@ -59,6 +63,9 @@ Scene scene_on(const WornProfile& wheel, const std::vector<std::string>& assignm
   scene.set("motion.pitch", "free");
   apply_assignments(scene, assignments);
   scene.set("wheelset.wheel", wheel.profile());
+  if (rail) {
+    scene.set("track.rail", *rail);
+  }
   return scene;
 }
 
@@ -185,6 +192,10 @@ void run(Options options) {
   refuse_varying(plain, "in a mission");
   const double radius = plain.get_number("wheelset.radius");
   const Profile wheel = load_profile(plain, WRC_WHEEL, options.wheel);
+  std::optional<Profile> rail; // read once
+  if (!options.rail.empty()) {
+    rail = load_profile(plain, WRC_RAIL, options.rail);
+  }
   for (const std::string& warning : wheel.warnings()) {
     std::cerr << "wrc_wear: " << one_line(options.wheel) << ": " << one_line(warning) << '\n';
   }
@@ -197,11 +208,14 @@ void run(Options options) {
   std::int64_t solved = 0;
   while (done < options.distance) {
     const std::vector<Passage> passages =
-        passages_of(scene_on(profile, options.assignments), mission);
+        passages_of(scene_on(profile, rail, options.assignments), mission);
+    std::vector<Scene> scenes; // made by one thread: a profile serves one at a time
+    for (std::size_t i = 0; i < passages.size(); ++i) {
+      scenes.push_back(scene_on(profile, rail, options.assignments));
+    }
     std::vector<Worn> worn(passages.size());
-    for_each_index(passages.size(), options.threads, [&](std::size_t i) {
-      worn[i] = worn_by(scene_on(profile, options.assignments), passages[i]);
-    });
+    for_each_index(passages.size(), options.threads,
+                   [&](std::size_t i) { worn[i] = worn_by(std::move(scenes[i]), passages[i]); });
     profile.clear();
     double rate = 0.0; // mm^2 per distance rolled, no unit
     for (const Worn& each : worn) {

@@ -193,5 +193,26 @@ TEST(Conicity, IsUndefinedBeyondAnUnknownDifference) {
             "the wheelset is led back to no position between y = -5 and 5 mm");
 }
 
+/// Of cones: their slopes are their conicities.
+TEST(Conicity, HasTheSpreadOfLikelyAndSmoothedCurves) {
+  const auto cone = [](double slope) {
+    return sample(5.0, 20, [slope](double y) { return 2.0 * slope * y; });
+  };
+  std::vector<RadiusDifference> likely;
+  for (int i = 0; i < 7; ++i) {
+    likely.push_back(cone(i % 2 == 0 ? 0.13 : 0.07));
+  }
+  constexpr double deviations = 2.228;
+  constexpr double rounding = 1e-9;
+  const auto spread = [&](const std::vector<RadiusDifference>& smoothed) {
+    return driver::conicity_spread(cone(0.1), likely, smoothed, 3.0);
+  };
+  EXPECT_NEAR(spread({}), deviations * 0.03, rounding);
+  EXPECT_NEAR(spread({cone(0.1), cone(0.14)}), deviations * 0.05, rounding);
+  EXPECT_TRUE(std::isnan(spread({cone(-0.1)})));
+  likely.pop_back();
+  EXPECT_TRUE(std::isnan(spread({})));
+}
+
 } // namespace
 } // namespace conicity_test

@@ -233,6 +233,12 @@ TEST_F(En15302, ReferenceProfilesHaveTheStandardsConicity) {
     const Outcome outcome = run("s.toml --out o");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
     const driver::CsvTable table(folder() / "o/c_by_amplitude.csv");
+    const std::string parameter = "nonlinearity parameter ";
+    const std::size_t at = outcome.out.find(parameter);
+    ASSERT_NE(at, std::string::npos) << outcome.out;
+    // From the standard's conicities at 4 and 2 mm, each to half of its last digit.
+    EXPECT_NEAR(std::stod(outcome.out.substr(at + parameter.size())),
+                0.5 * (reference.conicity[6] - reference.conicity[2]), 0.005);
     for (std::size_t i = 0; i < amplitudes.size(); ++i) {
       const double expected = reference.conicity[i];
       if (std::isnan(expected)) {

@@ -65,6 +65,12 @@ TEST_F(Jobs, ConicityOfOneRailIsInWords) {
   expect_parts(out, {"S1002: equivalent conicity 0.17", "wheel.txt: equivalent conicity 0.",
                      "at an amplitude of 3 mm"});
   EXPECT_EQ(out.find("measured/wheel.txt: "), std::string::npos) << "files by their names";
+  expect_parts(out, {" +- 0.", "nonlinearity parameter "});
+  for (const double amplitude : {1.0, 3.0, 6.0}) {
+    EXPECT_EQ(amplitudes.where("series", "S1002").at("amplitude", amplitude, "spread"), 0.0);
+    EXPECT_GT(amplitudes.where("series", "measured/wheel.txt").at("amplitude", amplitude, "spread"),
+              0.0);
+  }
   EXPECT_TRUE(is_png("o/conicity.png"));
   // One wheel on one rail has no series. This rail was measured as it is inclined.
   EXPECT_TRUE(succeed("conicity --rails measured/rail.txt --set track.cant=0.0 --out one")

@@ -66,6 +66,44 @@ TEST_F(WrcProfile, MeasuresTheStandardRail) {
   EXPECT_FALSE(steep.at(0).at("overhangs").get<bool>());
 }
 
+/// S1002 with waves of 5 mm, which may be steel or noise that an instrument has filtered.
+TEST_F(WrcProfile, SaysWhatDependsOnTheSmoothing) {
+  EXPECT_EQ(run("S1002 --convert plain.txt").exit_code, 0);
+  std::istringstream plain(read("plain.txt"));
+  std::ostringstream wavy;
+  for (std::string line; std::getline(plain, line);) {
+    std::istringstream row(line);
+    if (double y = 0.0, z = 0.0; row >> y >> z) {
+      wavy << y << ' ' << z + 0.006 * std::cos(2.0 * 3.14159 * y / 5.0) << '\n';
+    }
+  }
+  write("wavy.wheel", wavy.str());
+  const std::string file = "wavy.wheel --kind wheel --origin tape ";
+  const json contact = run_json(file).at("contact");
+  EXPECT_EQ(contact.at("with"), "60E1");
+  const double pmax = contact.at("pmax").get<double>();
+  EXPECT_NEAR(contact.at("smoothed_0mm.pmax").get<double>(), pmax, 0.01 * pmax);
+  EXPECT_GT(pmax, 1.2 * contact.at("smoothed_15mm.pmax").get<double>());
+  EXPECT_NEAR(contact.at("smoothed_15mm.pmax").get<double>(), 898.0, 0.1 * 898.0);
+  EXPECT_EQ(contact.at("spread.grade"), 2);
+  EXPECT_NE(run(file).out.find("Do not use: left: uncertain by noise or short waves"),
+            std::string::npos);
+  EXPECT_FALSE(run_json("S1002").contains("contact"));
+  EXPECT_EQ(run("S1002 --convert sparse.txt --spacing 3").exit_code, 0);
+  const std::string sparse = run("sparse.txt --kind wheel --origin tape").out;
+  EXPECT_NE(sparse.find("Note: left: how far noise moves pmax and area is not known"),
+            std::string::npos)
+      << sparse;
+  run(file + "--strict").expect_refusal({"uncertain by noise", "state the smoothing"});
+  EXPECT_EQ(run(file + "--strict --smooth 0").exit_code, 0);
+  const Outcome scene =
+      run(WRC_CASE_PROGRAM, "--set wheelset.wheel=wavy.wheel --set wheelset.profile_origin=tape");
+  for (const char* part :
+       {"Profiles smoothed, mm", "right area", "Do not use: right: uncertain by noise"}) {
+    EXPECT_NE(scene.out.find(part), std::string::npos) << part;
+  }
+}
+
 TEST_F(WrcProfile, FindsKinksAndOverhangs) {
   // A rail head whose sides lean in below the widest place.
   write("head.rail", "-28 -40\n-34 -30\n-36 -20\n-34 -10\n-20 -2\n0 0\n20 -2\n34 -10\n36 -20\n"
