@@ -129,23 +129,28 @@ TEST_F(WrcTradeoff, ComparesModelsOfCreepForces) {
   EXPECT_NE(run("--help").out.find("--creep"), std::string::npos);
 }
 
-TEST_F(WrcTradeoff, JudgesPracticalWheels) {
-  const Outcome outcome = run("--practical 3 --threads 2 --json t.json");
+/// What one run has found the next one reads.
+TEST_F(WrcTradeoff, JudgesByTruthAlongCurves) {
+  const Outcome outcome = run("--truth 10 --threads 2 --truths truths --json t.json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-  expect_parts(outcome.out, {"6 wheels, 0 without a converged reference",
-                             "missed without a warning: ", "error above its estimate: "});
+  expect_parts(outcome.out, {"\n| flats | 0.01 | forces | spin moment | ", "\n| crossings | ",
+                             "\n| creep | ", "\n| wheels | 0.001 | pressures | pmax | ",
+                             "errors above their estimate, worst first"});
   const json whole = json::parse(read("t.json"));
-  EXPECT_EQ(whole.at("practical").at("wheels"), 6);
-  EXPECT_EQ(whole.at("practical").at("missed_without_warning"), 0);
-  const json& first = whole.at("scenes").at(0);
-  const json& wheel = first.at("wheels").at(0);
-  EXPECT_LT(wheel.at("uncertainty"), 1e-3);
+  ASSERT_EQ(whole.at("scenes").size(), 10U);
+  const json& last = whole.at("scenes").back();
+  const json& first_run = last.at("runs").at(0); // the left wheel at 1e-2, of forces
+  EXPECT_LT(first_run.at("uncertainty").at(0), 1e-4);
   // What a scene says of itself replays it.
-  const json replayed = run_json(WRC_CASE_PROGRAM, first.at("options").get<std::string>() +
-                                                       " --set solve.accuracy=0.01");
-  const double pmax = wheel.at("pmax");
-  EXPECT_NEAR(std::abs(replayed.at("left").at("pmax").get<double>() / pmax - 1.0),
-              wheel.at("error").get<double>(), 1e-9);
+  const json replayed =
+      run_json(WRC_CASE_PROGRAM, last.at("options").get<std::string>() +
+                                     " --set solve.accuracy=0.01 --set solve.accuracy_of=forces");
+  EXPECT_EQ(replayed.at("left").at("error_estimate"), first_run.at("estimates").at(0));
+  const std::string truths = read("truths");
+  EXPECT_EQ(std::count(truths.begin(), truths.end(), '{'), 10);
+  const Outcome again = run("--truth 10 --truths truths");
+  EXPECT_EQ(again.out, outcome.out);
+  EXPECT_EQ(std::count(truths.begin(), truths.end(), '{'), 10);
 }
 
 TEST_F(WrcTradeoff, RefusesWhatIsNotAllowed) {
@@ -154,7 +159,8 @@ TEST_F(WrcTradeoff, RefusesWhatIsNotAllowed) {
   run("--creep 0").expect_refusal({"--creep"});
   run("--creep 2 --random 2").expect_refusal({"--creep"});
   run("--creep 2 --position").expect_refusal({"--creep"});
-  run("--practical 2 --random 2").expect_refusal({"--practical"});
+  run("--truth 20 --random 2").expect_refusal({"--truth"});
+  run("--truths file").expect_refusal({"--truths"});
   run("--accuracy-of area").expect_refusal({"--accuracy-of"});
   run("--pictures nowhere").expect_refusal({"nowhere"});
 }

@@ -7,8 +7,8 @@
 #include "support/parallel.hpp"
 #include "support/program.hpp"
 #include "wrc_tradeoff/creep.hpp"
-#include "wrc_tradeoff/practical.hpp"
 #include "wrc_tradeoff/reports.hpp"
+#include "wrc_tradeoff/truth.hpp"
 
 namespace {
 
@@ -19,10 +19,11 @@ constexpr std::size_t grid_interval = 5;
 
 struct Options {
   std::size_t scenes = 520;
-  std::size_t random = 0;    ///< instead of the family
-  std::size_t creep = 0;     ///< models of creep forces, instead of all others
-  bool motion = false;       ///< creep forces of a wheelset in motion
-  std::size_t practical = 0; ///< scenes whose pmax is checked, instead of all others
+  std::size_t random = 0; ///< instead of the family
+  std::size_t creep = 0;  ///< models of creep forces, instead of all others
+  bool motion = false;    ///< creep forces of a wheelset in motion
+  std::size_t truth = 0;  ///< wheels judged against solutions along curves
+  std::string truths;     ///< file of these solutions
   std::string accuracy_of = "both";
   bool position = false;
   int threads = 1;
@@ -98,11 +99,12 @@ void compare_creep_models(const Options& options) {
          options, tradeoff::print_creep_summary, tradeoff::creep_json_of, tradeoff::draw_creep);
 }
 
-void judge_practical_wheels(const Options& options) {
-  const auto cases = tradeoff::make_practical(options.practical);
+void judge_by_truth(const Options& options) {
+  const auto cases = tradeoff::make_truth_cases(options.truth);
+  tradeoff::TruthFile truths(options.truths);
   report(measure_scenes(cases.size(), options,
-                        [&](std::size_t i) { return tradeoff::measure_practical(cases[i]); }),
-         options, tradeoff::print_practical_summary, tradeoff::practical_json_of,
+                        [&](std::size_t i) { return tradeoff::measure_truth(cases[i], truths); }),
+         options, tradeoff::print_truth_summary, tradeoff::truth_json_of,
          [](const auto&, const auto&) {});
 }
 
@@ -141,15 +143,22 @@ int main(int argc, char** argv) {
   app.flag("--motion", options.motion,
            "with --creep: steps of a wheelset that hunts over irregular track, not creepages")
       .needs(creep);
-  app.add("--practical", options.practical,
-          "instead of everything else: check pmax at accuracy 1e-2, its error estimates and its "
-          "warnings on this number of random scenes with built-in profiles in usual dimensions")
-      .within(1, 100000)
-      .excludes(scenes)
-      .excludes(random)
-      .excludes(accuracy_of)
-      .excludes(position)
-      .excludes(creep);
+  const auto truth =
+      app.add("--truth", options.truth,
+              "instead of everything else: judge results, estimates and warnings at 1e-2 and 1e-3 "
+              "on this number of wheels as vehicles use them, 3/10 as many with creep forces and a "
+              "fifth as many on flats and on crossings, by solutions along curves")
+          .within(10, 100000)
+          .excludes(scenes)
+          .excludes(random)
+          .excludes(accuracy_of)
+          .excludes(position)
+          .excludes(creep);
+  app.add("--truths", options.truths,
+          "with --truth: file that keeps the solutions along curves; those that it has are not "
+          "solved again")
+      .type("FILE")
+      .needs(truth);
   app.add("--threads", options.threads, "scenes solved at once; times depend on it")
       .within(1, 1024)
       .show_default();
@@ -165,14 +174,14 @@ int main(int argc, char** argv) {
              "  wrc_tradeoff --threads 2 --random 6000 --accuracy-of forces\n"
              "  wrc_tradeoff --threads 2 --position --accuracy-of forces\n"
              "  wrc_tradeoff --threads 2 --creep 500 --pictures docs/images\n"
-             "  wrc_tradeoff --threads 2 --practical 1500\n");
+             "  wrc_tradeoff --threads 2 --truth 1000 --truths truths.json\n");
   return app.run(argc, argv, [&options] {
     if (options.creep > 0) {
       compare_creep_models(options);
       return 0;
     }
-    if (options.practical > 0) {
-      judge_practical_wheels(options);
+    if (options.truth > 0) {
+      judge_by_truth(options);
       return 0;
     }
     report(measure_all(options), options, tradeoff::print_summary, tradeoff::json_of,
