@@ -26,6 +26,7 @@ struct ExpectedContact {
   double length = 0.0;
   ContactScale scale;
   double middle = 0.5; ///< of the forces across the rail, relative to the width
+  double bend = 0.0;   ///< Patch::bend
 };
 
 /// In the potential contact area of a patch. `samples`: of the locus, at the patch's depth. Where

@@ -20,6 +20,7 @@ namespace wrc {
 struct Patch {
   ContactPatch penetration;
   ContactFrame frame;
+  double bend = 0.0; ///< of its gap along the rail, 0 to 1 (remesh/bend_along.hpp)
   Grid grid;
   double coupling_weight = 0.0; ///< of the interaction with another patch: the largest
   std::vector<double> undeformed_distance;

@@ -42,6 +42,11 @@ double size_in(double whole, double contact, double count) {
   return whole / static_cast<double>(even_count(whole / contact * count));
 }
 
+/// How many columns there are for each one along a gap that is a parabola.
+double columns_of_bent(double bend) {
+  return 1.0 + (bent_columns - 1.0) * bend;
+}
+
 /// Error of a force where a profile has a kink under the pressures, to first order in the rows.
 double error_at_ridge(const Patch& patch) {
   return patch.ridge > 0.0
@@ -98,20 +103,23 @@ std::vector<PatchElements> final_elements(std::span<const ExpectedContact> conta
   std::vector<PatchElements> elements;
   for (const ExpectedContact& contact : contacts) {
     const ContactScale& scale = contact.scale;
+    const double bent = columns_of_bent(contact.bend);
     if (!goal.creep_forces) {
       elements.push_back({contact.mean_x, contact.mean_y, scale.across / for_forces,
-                          scale.along / static_cast<double>(even_count(columns)), contact.middle});
+                          scale.along / (bent * static_cast<double>(even_count(columns))),
+                          contact.middle});
       continue;
     }
     const double accuracy =
         goal.accuracy / (goal.elements == Elements::constant ? constant_elements_error : 1.0);
     const double growth = std::pow(scale.along / scale.across, columns_by_sides_exponent);
-    elements.push_back({contact.mean_x, contact.mean_y,
-                        size_in(contact.width, scale.across,
-                                std::max(for_forces, std::sqrt(creep_row_law / accuracy))),
-                        size_in(contact.length, scale.along,
-                                std::max(columns, growth * std::sqrt(creep_column_law / accuracy))),
-                        0.5});
+    elements.push_back(
+        {contact.mean_x, contact.mean_y,
+         size_in(contact.width, scale.across,
+                 std::max(for_forces, std::sqrt(creep_row_law / accuracy))),
+         size_in(contact.length, scale.along,
+                 bent * std::max(columns, growth * std::sqrt(creep_column_law / accuracy))),
+         0.5});
   }
   return elements;
 }
@@ -126,7 +134,8 @@ ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& g
       const ContactScale scale = contact_scale(patch.grid, patch.pressure);
       const double rows = std::min(scale.across / patch.grid.lateral_step,
                                    scale.along / (columns_by_rows * patch.grid.longitudinal_step));
-      const double of_patch = error_of(rows, goal);
+      const double of_patch =
+          std::max(error_of(rows, goal), bent_error * patch.bend * goal.of_contact());
       error.elements = std::max(error.elements, of_patch);
       weighted += patch.normal_force * of_patch;
       forces += patch.normal_force;

@@ -11,8 +11,10 @@
 /// continuously with the scene, and the grid is anchored at the centre of the forces, so that
 /// elements at the edges move least. The largest pressure, taken from a finer section
 /// (peak_section.hpp), has the same error and that of its crest besides; where the wheel has a flat
-/// it may also have a crest along the rail, which its second difference there shows. If a profile
-/// has a kink under the pressures, forces also have an error of first order in the rows. The area
+/// it may also have a crest along the rail, which its second difference there shows. A gap that
+/// bends along the rail (remesh/bend_along.hpp) takes more columns, and its error does not follow
+/// the law below a fifth of the accuracy. If a profile has a kink under the pressures, forces also
+/// have an error of first order in the rows. The area
 /// of contact is not counted: it is right to 11 to 22 accuracies. A patch that has just formed or
 /// is about to lift is on fewer rows: its error counts for forces as far as it carries the load.
 /// Creep forces need more elements than normal ones, by a law of their own: they follow from the

@@ -20,7 +20,7 @@ namespace {
 /// Elements count as often as they are solved.
 CreepGrid grid_within(const PatchResult& patch, const SmoothPressure& pressure,
                       const CreepRequest& request, double limit) {
-  const PatchPressures pressures{patch.grid, patch.pressure, pressure};
+  const PatchPressures pressures{patch.grid, patch.pressure, pressure, patch.bend};
   double times = request.pitch_is_free ? cost_of_free_pitch : 1.0;
   const auto extend = [&](CreepGrid& chosen) { // returns the factor on their number
     const double inner = static_cast<double>(chosen.grid.element_count());
@@ -60,7 +60,7 @@ double share_of_elements(const WheelResult& wheel, const CreepRequest& request) 
   double wanted = 0.0;
   for (const PatchResult* patch : patches) {
     if (patch->normal_force > 0.0) {
-      const SmoothPressure pressure(patch->grid, patch->pressure);
+      const SmoothPressure pressure(patch->grid, patch->pressure, patch->bend);
       wanted += grid_within(*patch, pressure, request, request.element_limit).wanted;
     }
   }

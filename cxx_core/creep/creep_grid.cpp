@@ -52,7 +52,8 @@ CreepGrid creep_grid(const PatchPressures& pressures, double accuracy, double li
   const PlaneArea area{across->first, across->last, along->first, along->last};
   const double wanted = std::sqrt(creep_error_of_one_column / (share_of_creep_columns * accuracy));
   const double wide = contact_scale(pressures.grid, pressures.values).across;
-  const double by_sides = std::pow(along->longest / wide, columns_by_sides_exponent);
+  const double by_sides = (1.0 + (bent_creep_columns - 1.0) * pressures.bend) *
+                          std::pow(along->longest / wide, columns_by_sides_exponent);
   // The rectangle's length and width in these lengths.
   const double times_along = area.length() / along->longest;
   const double times_across = area.width() / wide;

@@ -23,6 +23,7 @@ struct PatchPressures {
   const Grid& grid;
   std::span<const double> values;
   const SmoothPressure& smooth;
+  double bend = 0.0; ///< Patch::bend
 };
 
 /// Around the contact; the grid of the pressures without contact.

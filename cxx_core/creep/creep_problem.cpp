@@ -76,7 +76,7 @@ std::vector<ProblemRate> problem_rates(const PatchTask& task, const Grid& grid,
     const MovedPatch& moved = moves[position].ahead;
     const double step = 0.5 * moves[position].apart;
     const Grid around = moved_grid(patch.grid, moved.elements);
-    const SmoothPressure smooth(around, moved.pressure);
+    const SmoothPressure smooth(around, moved.pressure, patch.bend);
     PatchFields ahead{moved_around_contact(grid, smooth), {}};
     ahead.fields.pressure =
         pressures_on(ahead.grid, smooth, moved.normal_force, ahead.fields.covered);
@@ -183,7 +183,7 @@ std::vector<ProblemRate> all_rates(const PatchTask& task, const Grid& grid,
 CreepProblem::CreepProblem(const PatchTask& task, LinePlans& plans, CreepResult& creep)
     : task_(task), plans_(plans) {
   const auto& [wheel, patch, motion, request, known] = task;
-  const SmoothPressure pressure(patch.grid, patch.pressure);
+  const SmoothPressure pressure(patch.grid, patch.pressure, patch.bend);
   const CreepGrid chosen = grid_of_patch(patch, pressure, request);
   grid_ = creep.grid = chosen.grid;
   creep.elements_wanted = chosen.wanted;

@@ -41,9 +41,37 @@ Place place_of(double steps, std::size_t count, std::size_t room) {
 /// Contact may reach the grid's edge: room for the two elements outside.
 constexpr std::size_t room = 2; // not a tuning constant
 
+/// Halvings of the interval in which p^2 of an end is found.
+/// origin: derived: 2^-30 of it is left.
+constexpr int halvings = 30;
+
 /// How far a value has grown towards another, 0 to 1.
 double grown(double value, double whole) {
   return !(value > 0.0) ? 0.0 : value < whole ? value / whole : 1.0;
+}
+
+/// Mean pressure of an element over the pressure at the centre of the next one inwards, where p^2
+/// is linear and `share` times as large at its own centre.
+double mean_by_share(double share) {
+  const double inner = 0.5 * (1.0 + share);
+  const double outer = 1.5 * share - 0.5;
+  return outer < 0.0 ? 2.0 / 3.0 * inner * std::sqrt(inner) / (1.0 - share)
+                     : 2.0 / 3.0 * (inner + std::sqrt(inner * outer) + outer) /
+                           (std::sqrt(inner) + std::sqrt(outer));
+}
+
+/// The inverse. What rises outwards ends within no element.
+double share_by_mean(double mean) {
+  if (mean >= 1.0) {
+    return mean * mean;
+  }
+  double low = -1.0; // the edge is at the inner side
+  double high = 1.0;
+  for (int i = 0; i < halvings; ++i) {
+    const double share = 0.5 * (low + high);
+    (mean_by_share(share) < mean ? low : high) = share;
+  }
+  return 0.5 * (low + high);
 }
 
 /// The elements under pressure with those next to them; without any the first element.
@@ -72,7 +100,8 @@ IndexBox around_contact(const Grid& grid, std::span<const double> pressure) {
 
 } // namespace
 
-SmoothPressure::SmoothPressure(const Grid& grid, std::span<const double> pressure) : grid_(grid) {
+SmoothPressure::SmoothPressure(const Grid& grid, std::span<const double> pressure, double bend)
+    : grid_(grid) {
   const IndexBox box = around_contact(grid, pressure);
   grid_.lateral_first = grid.lateral(box.lateral_first);
   grid_.longitudinal_first = grid.longitudinal(box.longitudinal_first);
@@ -95,7 +124,7 @@ SmoothPressure::SmoothPressure(const Grid& grid, std::span<const double> pressur
     }
   }
   const std::vector<double> given = squares_;
-  replace_ends_of_rows(given);
+  replace_ends_of_rows(given, bend);
   fill_in_ring(given);
   fill_in_ring(given);
 }
@@ -125,7 +154,7 @@ SmoothPressure::Continuation SmoothPressure::continuation(std::size_t at,
 
 /// Elements count as inside as far as they and their neighbours have entered the contact; the rest
 /// of them is continued along the row from those further in, as far as there are any.
-void SmoothPressure::replace_ends_of_rows(const std::vector<double>& given) {
+void SmoothPressure::replace_ends_of_rows(const std::vector<double>& given, double bend) {
   const std::size_t columns = grid_.longitudinal_count;
   std::vector<double> entered(squares_.size());
   for (std::size_t at = columns; at + columns < squares_.size(); ++at) {
@@ -156,6 +185,14 @@ void SmoothPressure::replace_ends_of_rows(const std::vector<double>& given) {
         const Continuation inwards = continuation(at, step);
         weights += inwards.known[2];
         sum += inwards.known[2] * inwards.values[2];
+        const auto to = static_cast<std::ptrdiff_t>(at);
+        const double inner = squares_[static_cast<std::size_t>(to + step)];
+        if (bend > 0.0 && inwards.known[2] > 0.0 && inner > 0.0) {
+          const double outer = given[static_cast<std::size_t>(to - step)];
+          const double by_load = inner * share_by_mean(std::sqrt(given[at] / inner));
+          sum += inwards.known[2] * bend * (1.0 - grown(outer, end_share * given[at])) *
+                 (by_load - inwards.values[2]);
+        }
       }
       const double continued = std::min(weights, 1.0);
       const double outer = (1.0 - inside[at]) * entered[at];

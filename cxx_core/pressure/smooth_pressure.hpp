@@ -9,6 +9,9 @@
 /// elements where there are not three. In between p^2 is interpolated cubically along rows. Across,
 /// where profiles have kinks, it has the smaller of the two second differences about the point,
 /// none if their signs differ. Means over elements take p^2 as linear in each half of an element.
+/// Where the gap bends along the row (remesh/bend_along.hpp) p^2 does, too, and has no continuation
+/// from further in. There the end of a row bears what its element does: p^2 is linear from the next
+/// element inwards, with the mean pressure that the solution has.
 ///
 /// All of this is continuous in the pressures: an element that enters the contact counts as one
 /// outside at first, and as one inside as its pressure grows (constants.hpp). Otherwise forces that
@@ -32,7 +35,8 @@ namespace wrc {
 
 class SmoothPressure {
 public:
-  SmoothPressure(const Grid& grid, std::span<const double> pressure);
+  /// `bend`: 0 to 1, how far ends of rows bear what their elements do, instead of p^2 continued.
+  SmoothPressure(const Grid& grid, std::span<const double> pressure, double bend = 0.0);
 
   /// Two edges on a line through the grid, in its coordinates.
   struct Extent {
@@ -64,7 +68,7 @@ private:
   [[nodiscard]] Continuation continuation(std::size_t at, std::ptrdiff_t step) const;
   [[nodiscard]] std::optional<Extent> extent(std::size_t lines, std::size_t line_stride,
                                              std::size_t count, std::size_t stride) const;
-  void replace_ends_of_rows(const std::vector<double>& given);
+  void replace_ends_of_rows(const std::vector<double>& given, double bend);
   void fill_in_ring(const std::vector<double>& given);
 
   Grid grid_;                   ///< of the contact, with room for what is filled in

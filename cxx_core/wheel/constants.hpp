@@ -32,6 +32,11 @@ inline constexpr double min_depth_ratio = 0.1;
 /// a/sqrt(2) wide.
 inline constexpr double turn_over_deviation = 4.0;
 
+/// Rows and columns over the penetration on which its bend is found (remesh/bend_along.hpp).
+/// origin: reasoned: half of the columns show the contact, three times as many as a parabola needs.
+inline constexpr std::size_t bend_rows = 3;
+inline constexpr std::size_t bend_columns = 33;
+
 /// Contact angle above which distances along the wheelset's axis mislead, rad.
 /// origin: derived: they are longer than normal ones by 1 - cos = 1 % there.
 inline constexpr double vertical_convention_limit = 0.15;

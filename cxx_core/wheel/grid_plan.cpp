@@ -9,7 +9,9 @@
 #include "accuracy/model_error.hpp"
 #include "base/error.hpp"
 #include "patches/constants.hpp"
+#include "remesh/bend_along.hpp"
 #include "remesh/mean_curve.hpp"
+#include "remesh/undeformed_distance.hpp"
 #include "wheel/constants.hpp"
 
 namespace wrc {
@@ -227,6 +229,16 @@ GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equili
   return solution;
 }
 
+void set_bends(GridSolution& patches, const PosedPair& pair) {
+  if (WheelAndRail{pair.wheel, pair.rail}.is_prismatic_along(along_track)) {
+    return;
+  }
+  for (Patch& patch : patches.patches) {
+    const Grid grid = grid_over(potential_area(patch, pair.rail), bend_rows, bend_columns);
+    patch.bend = bend_along(grid, sample_undeformed_distance(pair, patch.frame, grid));
+  }
+}
+
 std::vector<ExpectedContact> expected_contacts(const GridSolution& patches, const RailSurface& rail,
                                                const SideEquilibrium& equilibrium) {
   const std::vector<const ContactScan*> scans = equilibrium.scans();
@@ -242,6 +254,7 @@ std::vector<ExpectedContact> expected_contacts(const GridSolution& patches, cons
   for (const Patch& patch : patches.patches) {
     contacts.push_back(expected_contact(patch.penetration, patch.frame, potential_area(patch, rail),
                                         samples[patch.penetration.scan]));
+    contacts.back().bend = patch.bend;
   }
   return contacts;
 }

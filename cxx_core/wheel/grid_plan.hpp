@@ -46,6 +46,9 @@ int affordable_iterations(double elements, double limit);
 GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equilibrium,
                           const WheelRequest& request, double depth);
 
+/// Patch::bend, of patches without grids; 0 of a round wheel on a rail that does not vary.
+void set_bends(GridSolution& patches, const PosedPair& pair);
+
 /// What contacts patches with planes lead to.
 std::vector<ExpectedContact> expected_contacts(const GridSolution& patches, const RailSurface& rail,
                                                const SideEquilibrium& equilibrium);

@@ -131,6 +131,7 @@ double WheelSolver::tolerance() const {
 const GridSolution& WheelSolver::patches_at(double depth) {
   if (!patches_ || patches_->depth != depth) {
     patches_ = plan_patches(rail_, equilibrium_, request_, depth);
+    set_bends(*patches_, posed(depth));
   }
   return *patches_;
 }

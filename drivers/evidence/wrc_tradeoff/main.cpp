@@ -146,8 +146,8 @@ int main(int argc, char** argv) {
   const auto truth =
       app.add("--truth", options.truth,
               "instead of everything else: judge results, estimates and warnings at 1e-2 and 1e-3 "
-              "on this number of wheels as vehicles use them, 3/10 as many with creep forces and a "
-              "fifth as many on flats and on crossings, by solutions along curves")
+              "on this number of wheels as vehicles use them, and for ten of them three with creep "
+              "forces, two on flats and two on a crossing, by solutions along curves")
           .within(10, 100000)
           .excludes(scenes)
           .excludes(random)

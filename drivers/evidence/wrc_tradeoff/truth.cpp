@@ -18,7 +18,7 @@ using nlohmann::json;
 
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 constexpr double coarser_truth = 4.0;
-constexpr double truth_elements = 4e6;
+constexpr double truth_elements = 3e5; ///< at most; of the coarser truth as much fewer
 constexpr std::size_t printed_wheels = 20;
 
 /// Creep forces of all patches of a wheel.
@@ -146,16 +146,28 @@ std::vector<std::string> sides_of(const Case& scene) {
              : std::vector<std::string>{"left", "right"};
 }
 
-driver::Scene solved(const Case& scene, driver::Solver& solver, double accuracy, const char* of,
-                     const char* curved, bool creep) {
+/// What an accuracy is of, with contact along planes or curves.
+struct TruthWay {
+  const char* label;
+  const char* accuracy_of;
+  const char* curved;
+};
+constexpr std::array truth_ways{TruthWay{"forces", "forces", "no"},
+                                TruthWay{"pressures", "pressures", "no"},
+                                TruthWay{"forces, along curves", "forces", "yes"}};
+constexpr TruthWay truth_way{"", "pressures", "yes"};
+
+/// `elements`: at most; 0: the default limit.
+driver::Scene solved(const Case& scene, driver::Solver& solver, double accuracy,
+                     const TruthWay& way, bool creep, double elements = 0.0) {
   driver::Scene made;
   scene.settings.apply(made);
   made.set("solve.accuracy", accuracy);
-  made.set("solve.accuracy_of", of);
-  made.set("solve.curved", curved);
+  made.set("solve.accuracy_of", way.accuracy_of);
+  made.set("solve.curved", way.curved);
   made.set("solve.creep", creep ? "auto" : "none");
-  if (std::string(curved) == "yes") {
-    made.set("solve.element_limit", truth_elements);
+  if (elements > 0.0) {
+    made.set("solve.element_limit", elements);
   }
   solver.solve(made);
   return made;
@@ -166,13 +178,13 @@ std::vector<WheelFigures> find_truth(const Case& scene, double times) {
   driver::Solver solver;
   std::vector<WheelFigures> wheels;
   const driver::Scene normal =
-      solved(scene, solver, times * curved_accuracy, "pressures", "yes", false);
+      solved(scene, solver, times * curved_accuracy, truth_way, false, truth_elements / times);
   for (const std::string& side : sides_of(scene)) {
     wheels.push_back({pressure_figures(normal, side), {}});
   }
   if (has_creep(scene)) {
-    const driver::Scene creep =
-        solved(scene, solver, times * creep_truth_accuracy, "pressures", "yes", true);
+    const driver::Scene creep = solved(scene, solver, times * creep_truth_accuracy, truth_way, true,
+                                       truth_elements / times);
     for (std::size_t i = 0; i < wheels.size(); ++i) {
       const std::string side = sides_of(scene)[i];
       wheels[i].creep = creep_figures(creep, side, pressure_figures(creep, side));
@@ -366,13 +378,13 @@ TruthMeasured measure_truth(const Case& scene, TruthFile& truths) {
       truths.add(options, *truth);
     }
     driver::Solver solver;
-    for (const char* of : {"forces", "pressures"}) {
+    for (const TruthWay& way : truth_ways) {
       for (const double accuracy : judged_accuracies) {
-        const driver::Scene found = solved(scene, solver, accuracy, of, "no", has_creep(scene));
+        const driver::Scene found = solved(scene, solver, accuracy, way, has_creep(scene));
         for (std::size_t i = 0; i < sides_of(scene).size(); ++i) {
           const std::string side = sides_of(scene)[i];
           const WheelFigures fine = wheel_of(truth->at(0).at(i));
-          Judged run{of, accuracy, {}, {}, {}, {}};
+          Judged run{way.label, accuracy, {}, {}, {}, {}};
           WheelFigures wheel{pressure_figures(found, side), {}};
           run.estimate[0] = found.number(side + ".error_estimate");
           if (has_creep(scene)) {

@@ -10,7 +10,7 @@
 ///
 /// Truth: solve.curved "yes" at `curved_accuracy`, creep forces at `creep_truth_accuracy`. The
 /// difference to a truth four times as coarse is its uncertainty. Results whose uncertainty exceeds
-/// half of what they are judged by are counted separately.
+/// half of their bound are counted separately.
 #pragma once
 
 #include <array>
@@ -42,8 +42,8 @@ inline constexpr std::size_t first_of_creep = 4;
 /// Not a number: the wheel does not have it.
 using JudgedErrors = std::array<double, judged_names.size()>;
 
-/// Scenes of `wheels` wheels, 3/10 as many with creep forces, and a fifth as many on flats and on
-/// crossings.
+/// Scenes of `wheels` wheels, and for ten of them three with creep forces, two on flats and two on
+/// the crossing.
 std::vector<Case> make_truth_cases(std::size_t wheels);
 
 /// Truths in a file, a line for each wheel or wheelset: a later run need not solve them again.

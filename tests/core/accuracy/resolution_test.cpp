@@ -86,6 +86,18 @@ TEST(Resolution, CreepForcesTakeMoreElements) {
   EXPECT_EQ(elements.middle, 0.5);
 }
 
+/// Rows are as many as otherwise.
+TEST(Resolution, BentGapsTakeMoreColumns) {
+  ExpectedContact bent = expected;
+  for (const double bend : {0.0, 0.5, 1.0}) {
+    bent.bend = bend;
+    const PatchElements elements = final_elements({&bent, 1}, {}).front();
+    EXPECT_EQ(elements.lateral_step, elements_for({}).lateral_step);
+    EXPECT_NEAR(elements.longitudinal_step * (1.0 + (bent_columns - 1.0) * bend),
+                elements_for({}).longitudinal_step, rounding);
+  }
+}
+
 TEST(Resolution, ElementsStayAnchoredAtTheMiddle) {
   EXPECT_EQ(elements_for({}).mean_x, 5.0);
   EXPECT_EQ(elements_for({}).mean_y, 750.0);

@@ -54,9 +54,9 @@ struct Pressures {
   }
 };
 
-CreepGrid grid_of(const Pressures& pressures, double of_forces = accuracy) {
+CreepGrid grid_of(const Pressures& pressures, double of_forces = accuracy, double bend = 0.0) {
   const SmoothPressure smooth(pressures.grid, pressures.values);
-  return creep_grid({pressures.grid, pressures.values, smooth}, of_forces, 1e9);
+  return creep_grid({pressures.grid, pressures.values, smooth, bend}, of_forces, 1e9);
 }
 
 void expect_counts(const CreepGrid& found, double rows, double columns) {
@@ -67,6 +67,14 @@ void expect_counts(const CreepGrid& found, double rows, double columns) {
   EXPECT_NEAR(static_cast<double>(found.grid.lateral_count), rows + 1.0, 1.0 + 0.12 * rows);
   EXPECT_NEAR(static_cast<double>(found.grid.longitudinal_count), columns + 1.0,
               1.0 + 0.06 * columns);
+}
+
+/// The law of their number holds for ellipses: what it says stays.
+TEST(CreepGrid, BentGapsHaveMoreColumns) {
+  const Pressures pressures{{1.0, -2.0, 4.0, 4.0}};
+  const CreepGrid found = grid_of(pressures, accuracy, 1.0);
+  expect_counts(found, creep_rows_by_columns * wanted, bent_creep_columns * wanted);
+  EXPECT_NEAR(found.columns, grid_of(pressures).columns, 1e-9);
 }
 
 TEST(CreepGrid, ReachesFromEdgeToEdgeWithTheElementsOfTheLaw) {

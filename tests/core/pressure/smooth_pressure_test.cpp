@@ -172,6 +172,49 @@ TEST(SmoothPressure, AnElementThatEntersChangesNothingAtFirst) {
   EXPECT_GT(entering, 30);
 }
 
+/// At the end of a flat p^2 has a crest beside the edge. Ends bear what they do in the solution;
+/// p^2 continued from further in is below 0 there.
+TEST(SmoothPressure, EndsOfBentRowsBearWhatTheirElementsDo) {
+  constexpr Grid grid{5, 12, 1.0, 1.0, -2.0, 0.0};
+  constexpr double crest = 7.0;
+  constexpr double first = 1.2;
+  constexpr double last = 9.2;
+  const auto square = [](double x) {
+    return x < crest ? (x - first) / (crest - first) : (last - x) / (last - crest);
+  };
+  const auto mean_about = [&square](double centre) {
+    constexpr int parts = 1000;
+    double mean = 0.0;
+    for (int k = 0; k < parts; ++k) {
+      mean += std::sqrt(std::max(square(centre - 0.5 + (k + 0.5) / parts), 0.0)) / parts;
+    }
+    return mean;
+  };
+  std::vector<double> row;
+  double force = 0.0;
+  for (std::size_t j = 0; j < grid.longitudinal_count; ++j) {
+    const double x = grid.longitudinal(j);
+    const double mean = mean_about(x);
+    force += mean;
+    const bool end = x == 1.0 || x == 9.0; // bears its mean
+    row.push_back(end ? mean : std::sqrt(std::max(square(x), 0.0)));
+  }
+  std::vector<double> pressure;
+  for (std::size_t i = 0; i < grid.lateral_count; ++i) {
+    pressure.insert(pressure.end(), row.begin(), row.end());
+  }
+  const auto missing = [&](double bend) {
+    std::vector<double> means;
+    std::vector<double> covered;
+    SmoothPressure(grid, pressure, bend)
+        .fill_means({1, 48, 1.0, 0.25, 0.0, -0.375}, means, covered);
+    return std::abs(0.25 * std::accumulate(means.begin(), means.end(), 0.0) / force - 1.0);
+  };
+  EXPECT_GT(missing(0.0), 0.15);
+  EXPECT_LT(missing(1.0), 0.05);
+  EXPECT_LT(missing(0.5), missing(0.0));
+}
+
 TEST(SmoothPressure, NarrowContactsEndHalfAnElementOutside) {
   const Grid grid{5, 6, 1.0, 1.0, 0.0, 0.0};
   std::vector<double> pressure(30, 0.0);

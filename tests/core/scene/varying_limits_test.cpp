@@ -17,7 +17,7 @@
 namespace wrc::test::varying_limits_test {
 namespace {
 
-/// p^2 bends within an element of the edge there, by which the elements' number alone does not go.
+/// p^2 bends within an element of the edge there, which a number of elements for ellipses misses.
 TEST_F(VaryingScene, CreepForcesAtTheEndsOfAFlatStateTheirError) {
   Scene scene = scene_on("60E1", wheel_with_chord());
   scene.side = SideChoice::left;
@@ -40,7 +40,7 @@ TEST_F(VaryingScene, CreepForcesAtTheEndsOfAFlatStateTheirError) {
     EXPECT_LE(error, found[3]) << pitch;
     worst = std::max(worst, error);
   }
-  EXPECT_GT(worst, 1e-2); // so the scenes are among those that need it
+  EXPECT_LT(worst, 1e-2); // 0.06 without elements for gaps that bend
 }
 
 /// A crest along the rail, for which a second grid has more columns; without them pmax is 5.2 % too
