@@ -55,8 +55,8 @@ inline constexpr double columns_by_rows = 0.64;
 inline constexpr double bent_columns = 2.0;
 
 /// Error of a contact whose gap bends in full, in accuracies, at least.
-/// origin: measured (wrc_tradeoff --truth 150): moments on flats are off by up to 0.18 of 1e-2 where
-/// creep forces take more rows than the law needs; without it 5 of 29 exceed their estimate.
+/// origin: measured (wrc_tradeoff --truth 150): moments on flats are off by up to 0.18 of 1e-2
+/// where creep forces take more rows than the law needs; without it 5 of 29 exceed their estimate.
 inline constexpr double bent_error = 0.2;
 
 /// Columns of solutions that find the depth.

@@ -35,10 +35,11 @@ inline constexpr double scale_by_inclination = 0.75;
 /// origin: reasoned: the number of rows that expected_contact.hpp takes, more than a solution has.
 inline constexpr std::size_t curve_nodes = 65;
 
-/// Difference of a gap along the rail from its parabola, root mean square over the depth in it,
-/// from which on it counts as bent in full. origin: measured (20 wheels on flats and 20 on a
-/// crossing, creep forces at 1e-2): 0.015 to 0.06 have the same misses, 3 of 40; with 0.06 twice as
-/// many are warned of as with 0.03. Flats have 0.03 to 0.15, a crossing between its ends 0.001.
+/// Difference of a gap along the rail from its parabola, root mean square over its depth, above
+/// which it counts as bent in full.
+/// origin: measured (20 wheels on flats and 20 on a crossing, creep forces at 1e-2): with 0.015 to
+/// 0.06 the same 3 of 40 miss it; with 0.06 twice the number of wheels is warned of. Flats have
+/// 0.03 to 0.15, a crossing between its ends 0.001.
 inline constexpr double whole_bend = 0.03;
 
 } // namespace wrc

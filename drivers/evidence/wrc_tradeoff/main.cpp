@@ -172,7 +172,6 @@ int main(int argc, char** argv) {
   app.footer("\nExamples:\n"
              "  wrc_tradeoff --threads 2 --json tradeoff.json --pictures docs/images\n"
              "  wrc_tradeoff --threads 2 --random 6000 --accuracy-of forces\n"
-             "  wrc_tradeoff --threads 2 --position --accuracy-of forces\n"
              "  wrc_tradeoff --threads 2 --creep 500 --pictures docs/images\n"
              "  wrc_tradeoff --threads 2 --truth 1000 --truths truths.json\n");
   return app.run(argc, argv, [&options] {
