@@ -468,10 +468,9 @@ TEST_F(WrcSweep, RefusesBadArguments) {
   const Outcome help = run("--help");
   expect_parts(help.out, {"{from = -6, to = 6", "--resume", "mpirun", "[[picture]]"});
   const std::string listed = run("--list-results").out;
-  for (const char* name :
-       {"left.patches.0.pmax\n", "left.patches.0.parts.0.pmax\n",
-        "right.patches.0.parts.0.centroid.y\n", "left.near_contacts.0.y\n",
-        "left.patches.0.creep_force.longitudinal\n", "left.smoothed_3mm.pmax\n"}) {
+  for (const char* name : {"left.patches.0.parts.0.pmax\n", "right.patches.0.parts.0.centroid.y\n",
+                           "left.near_contacts.0.y\n", "left.patches.0.creep_force.longitudinal\n",
+                           "left.smoothed_3mm.pmax\n"}) {
     EXPECT_NE(listed.find(name), std::string::npos) << name;
   }
 }
