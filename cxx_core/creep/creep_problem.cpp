@@ -54,8 +54,23 @@ void add_displacements(const PatchTask& task, const ContactFrame& frame, const G
   }
 }
 
-/// Slip of elements, and what pressures add along a curve.
-SlipField sum(SlipField slip, const SlipAlongCurve& added) {
+/// Of rows to the patch's plane, by which pressures make them slip, in the rolling frame; none of
+/// slip that is not that of each element.
+std::vector<double> inclinations_of(const std::vector<SlipRow>& rows, const SlipChoice& choice,
+                                    const RollingFrame& frame) {
+  std::vector<double> angles;
+  if (choice.variation != SlipVariation::by_element) {
+    return angles;
+  }
+  angles.reserve(rows.size());
+  for (const SlipRow& row : rows) {
+    angles.push_back(std::atan2(row.sine, row.cosine));
+  }
+  return frame.turned_components(std::move(angles));
+}
+
+/// Slip of elements, and what pressures add.
+SlipField sum(SlipField slip, const SlipByPressures& added) {
   if (slip.x.empty()) {
     return {added.x, added.y};
   }
@@ -81,9 +96,11 @@ std::vector<ProblemRate> problem_rates(const PatchTask& task, const Grid& grid,
     ahead.fields.pressure =
         pressures_on(ahead.grid, smooth, moved.normal_force, ahead.fields.covered);
     const MovedContact contact(task.wheel, patch, *task.rates, position, step);
+    const std::vector<SlipRow> rows = task.request.slip.variation == SlipVariation::planar
+                                          ? std::vector<SlipRow>{}
+                                          : contact.rows(ahead.grid, task.request.slip);
     if (task.motion.twist) {
       const SlipGeometry geometry = contact.geometry(around, moved.pressure, task.request.slip);
-      const std::vector<SlipRow> rows = contact.rows(ahead.grid, task.request.slip);
       ahead.fields.slip = slip_beyond(geometry, rows, ahead.grid, contact.twist());
       ahead.fields.weights = slip_beyond(geometry, rows, ahead.grid, along_the_normal);
     }
@@ -92,7 +109,11 @@ std::vector<ProblemRate> problem_rates(const PatchTask& task, const Grid& grid,
     RollingProblem then = now;
     then.grid = ahead.grid;
     then.pressure = ahead.fields.pressure;
-    ahead.fields.slip = sum(std::move(ahead.fields.slip), slip_along_curve(then, plans));
+    const std::vector<double> inclinations =
+        inclinations_of(rows, task.request.slip, task.motion.frame);
+    ahead.fields.slip =
+        sum(std::move(ahead.fields.slip),
+            slip_by_pressures(then, now.angles.empty() ? inclinations : now.angles, plans));
     result.push_back(rate_between(now, ahead.grid, ahead.fields, step));
   }
   return result;
@@ -156,10 +177,11 @@ void take_in_slip(const PatchTask& task, const std::vector<SlipRow>& rows, const
 }
 
 /// The rates that derivatives need: by positions where they are known and bodies are alike, by the
-/// slip beyond creepages and by a velocity along the normal, in a step of time and along a curve by
-/// the share of rolling.
+/// slip beyond creepages and by a velocity along the normal, in a step of time and where pressures
+/// make rows slip by the share of rolling.
 std::vector<ProblemRate> all_rates(const PatchTask& task, const Grid& grid,
-                                   const RollingProblem& problem, LinePlans& plans) {
+                                   const RollingProblem& problem,
+                                   std::span<const double> inclinations, LinePlans& plans) {
   std::vector<ProblemRate> rates;
   if (task.rates != nullptr && !unlike_bodies(task.request)) {
     rates = problem_rates(task, grid, problem, plans);
@@ -168,11 +190,11 @@ std::vector<ProblemRate> all_rates(const PatchTask& task, const Grid& grid,
     rates.push_back(rate_by(problem, problem.slip_x, problem.slip_y));
     rates.push_back(rate_by(problem, problem.weight_x, problem.weight_y));
   }
-  if (problem.step_length > 0.0 || !problem.angles.empty()) {
-    RollingProblem all = problem;
-    all.rolling_share = 1.0;
-    const SlipAlongCurve along_curve = slip_along_curve(all, plans);
-    rates.push_back(rate_by(problem, along_curve.x, along_curve.y));
+  RollingProblem all = problem;
+  all.rolling_share = 1.0;
+  const SlipByPressures by_pressures = slip_by_pressures(all, inclinations, plans);
+  if (problem.step_length > 0.0 || !by_pressures.x.empty()) {
+    rates.push_back(rate_by(problem, by_pressures.x, by_pressures.y));
     rates.back().rolling_share = 1.0;
   }
   return rates;
@@ -191,8 +213,10 @@ CreepProblem::CreepProblem(const PatchTask& task, LinePlans& plans, CreepResult&
   double misplaced = 0.0;
   now.fields.pressure =
       pressures_on(grid_, pressure, patch.normal_force, now.fields.covered, &misplaced);
-  if (motion.twist) {
+  if (request.slip.variation != SlipVariation::planar) {
     rows_ = rows_on(wheel, patch, grid_, request.slip);
+  }
+  if (motion.twist) {
     now.fields.slip = slip_ = slip_beyond(*patch.slip, rows_, grid_, *motion.twist);
     if (request.derivatives) {
       now.fields.weights = slip_beyond(*patch.slip, rows_, grid_, along_the_normal);
@@ -215,8 +239,9 @@ CreepProblem::CreepProblem(const PatchTask& task, LinePlans& plans, CreepResult&
   problem_.rolling_share = motion.rolling_share;
   angles_ = motion.frame.turned_components(row_angles(patch.frame, grid_));
   problem_.angles = angles_;
-  along_curve_ = slip_along_curve(problem_, plans_);
-  fields_.slip = sum(std::move(fields_.slip), along_curve_);
+  inclinations_ = angles_.empty() ? inclinations_of(rows_, request.slip, motion.frame) : angles_;
+  by_pressures_ = slip_by_pressures(problem_, inclinations_, plans_);
+  fields_.slip = sum(std::move(fields_.slip), by_pressures_);
   problem_.slip_x = fields_.slip.x;
   problem_.slip_y = fields_.slip.y;
   error_of_elements_ = creep_error_of_one_column / (chosen.columns * chosen.columns);
@@ -230,16 +255,16 @@ CreepProblem::CreepProblem(const PatchTask& task, LinePlans& plans, CreepResult&
 }
 
 void CreepProblem::request_rates() {
-  rates_ = all_rates(task_, grid_, problem_, plans_);
+  rates_ = all_rates(task_, grid_, problem_, inclinations_, plans_);
   problem_.rates = rates_;
 }
 
 CreepForces CreepProblem::take(RollingSolution solution, CreepResult& creep) const {
   const CreepRequest& request = task_.request;
-  for (std::size_t i = 0; i < along_curve_.x.size(); ++i) {
+  for (std::size_t i = 0; i < by_pressures_.x.size(); ++i) {
     solution.power_of_pressures -=
         grid_.element_area() *
-        (solution.traction_x[i] * along_curve_.x[i] + solution.traction_y[i] * along_curve_.y[i]);
+        (solution.traction_x[i] * by_pressures_.x[i] + solution.traction_y[i] * by_pressures_.y[i]);
   }
   solution = task_.motion.frame.turned(std::move(solution));
   if (request.derivatives) {

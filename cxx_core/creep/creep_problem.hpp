@@ -2,9 +2,9 @@
 ///
 /// The problem is in the rolling frame (rolling_frame.hpp), on a grid of its own (creep_grid.hpp):
 /// pressures interpolated and scaled to the patch's normal force, and the slip of each element
-/// beyond creepages; along a curve also that by pressures (rolling/curve_displacement.hpp). How it
-/// is solved is up to the caller. Left-hand frame of the side. Units mm, N, MPa, rad. Thread rule:
-/// plain values.
+/// beyond creepages, and that by pressures where rows are inclined
+/// (rolling/curve_displacement.hpp). How it is solved is up to the caller. Left-hand frame of the
+/// side. Units mm, N, MPa, rad. Thread rule: plain values.
 #pragma once
 
 #include <vector>
@@ -53,8 +53,9 @@ private:
   SlipField slip_;       ///< in the patch's plane
   ProblemFields fields_; ///< in the rolling frame, as the problem's
   std::vector<ProblemRate> rates_;
-  std::vector<double> angles_; ///< of rows along a curve, in the rolling frame
-  SlipAlongCurve along_curve_; ///< by pressures, likewise
+  std::vector<double> angles_;       ///< of rows along a curve, in the rolling frame
+  std::vector<double> inclinations_; ///< these, or those of rows to the plane
+  SlipByPressures by_pressures_;     ///< by these
   RollingProblem problem_;
   double error_of_elements_ = 0.0;
 };

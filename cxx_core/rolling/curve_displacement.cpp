@@ -1,5 +1,6 @@
 #include "rolling/curve_displacement.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "half_space/traction_convolution.hpp"
@@ -11,8 +12,9 @@ namespace {
 /// Sums over the elements of a problem's grid, lengths in longitudinal steps.
 class CurveSums {
 public:
-  CurveSums(const RollingProblem& problem, const DifferenceWeights& weights, LinePlans& plans)
-      : problem_(problem), weights_(weights),
+  CurveSums(const RollingProblem& problem, std::span<const double> inclinations,
+            const DifferenceWeights& weights, LinePlans& plans)
+      : problem_(problem), inclinations_(inclinations), weights_(weights),
         plans_(plans), shape_{problem.grid.longitudinal_count, problem.grid.lateral_count},
         table_(traction_table(problem.grid.lateral_step / problem.grid.longitudinal_step,
                               shape_.table_rows(), shape_.table_columns())) {}
@@ -33,7 +35,7 @@ private:
     std::vector<double> by_cosine(count);
     std::vector<double> by_sine(count);
     for (std::size_t at = 0; at < count; ++at) {
-      const double angle = k * problem_.angles[at / shape_.rows];
+      const double angle = k * inclinations_[at / shape_.rows];
       by_cosine[downstream(at)] = std::cos(angle) * field[at];
       by_sine[downstream(at)] = std::sin(angle) * field[at];
     }
@@ -46,7 +48,7 @@ private:
     kernel.apply(by_cosine.data(), by_sine.data(), first.data(), second.data(), workspace_);
     std::vector<double> sums(count);
     for (std::size_t at = 0; at < count; ++at) {
-      const double angle = k * problem_.angles[at / shape_.rows];
+      const double angle = k * inclinations_[at / shape_.rows];
       sums[at] =
           std::sin(angle) * by_cosine[downstream(at)] - std::cos(angle) * by_sine[downstream(at)];
     }
@@ -58,6 +60,7 @@ private:
   }
 
   const RollingProblem& problem_;
+  std::span<const double> inclinations_;
   DifferenceWeights weights_;
   LinePlans& plans_;
   TractionShape shape_;
@@ -67,14 +70,16 @@ private:
 
 } // namespace
 
-SlipAlongCurve slip_along_curve(const RollingProblem& problem, LinePlans& plans) {
-  if (problem.angles.empty() || problem.motion != TangentialMotion::rolling) {
+SlipByPressures slip_by_pressures(const RollingProblem& problem,
+                                  std::span<const double> inclinations, LinePlans& plans) {
+  const auto is_level = [](double angle) { return angle == 0.0; };
+  if (problem.motion != TangentialMotion::rolling || std::ranges::all_of(inclinations, is_level)) {
     return {};
   }
   RollingProblem steady = problem;
   steady.step_length = 0.0;
-  CurveSums sums(problem, difference_of(steady).weights, plans);
-  SlipAlongCurve slip{sums.along(problem.pressure), sums.across(problem.pressure)};
+  CurveSums sums(problem, inclinations, difference_of(steady).weights, plans);
+  SlipByPressures slip{sums.along(problem.pressure), sums.across(problem.pressure)};
   const double unit = problem.rolling_share / problem.shear_modulus;
   for (std::size_t at = 0; at < slip.x.size(); ++at) {
     slip.x[at] *= unit;

@@ -1,7 +1,8 @@
-/// Slip that pressures add along the surface of a curve.
+/// Slip that pressures add along a surface whose rows are inclined to each other.
 ///
-/// Rows whose normals differ push each other aside: with m and A_xs of
-/// half_space/traction_convolution.hpp pressures displace by
+/// Rows whose normals differ push each other aside: with a_i the inclination of a row, to the
+/// patch's plane or along a curve, and m and A_xs of half_space/traction_convolution.hpp pressures
+/// displace by
 ///   u_s(i) = sum_j sin(a_i - a_j) m p_j / G,  u_x(i) = sum_j sin((a_i - a_j)/2) A_xs p_j / G,
 /// wheel minus rail, s to the left. In steady rolling this is a slip -du/dx of each element.
 /// Units mm, N, MPa. Thread rule: that of the plans.
@@ -9,6 +10,7 @@
 /// opens the gap; what pressures of unlike bodies displace in a plane (unlike_bodies.hpp).
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "half_space/influence_cache.hpp"
@@ -17,12 +19,14 @@
 namespace wrc {
 
 /// Per element, over the speed; both empty: none.
-struct SlipAlongCurve {
+struct SlipByPressures {
   std::vector<double> x;
   std::vector<double> y;
 };
 
-/// The part of rolling, so that none is left at standstill. None in a plane.
-SlipAlongCurve slip_along_curve(const RollingProblem& problem, LinePlans& plans);
+/// The part of rolling, so that none is left at standstill. None where no row is inclined.
+/// `inclinations`: of the rows by lateral index, rad; empty: none is.
+SlipByPressures slip_by_pressures(const RollingProblem& problem,
+                                  std::span<const double> inclinations, LinePlans& plans);
 
 } // namespace wrc

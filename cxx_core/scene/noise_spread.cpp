@@ -168,6 +168,7 @@ Numbers mean_squares(const std::vector<Numbers>& lines, const Numbers& centre, i
 
 std::vector<double> radius_differences(const std::vector<Numbers>& lines) {
   std::vector<double> differences;
+  differences.reserve(lines.size());
   for (const Numbers& numbers : lines) {
     differences.push_back(numbers[0]);
   }

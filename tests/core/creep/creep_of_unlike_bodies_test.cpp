@@ -63,6 +63,7 @@ TEST_F(CreepProblemOfPatch, HasThePatchesLoadAndItsCreepagesInTheRollingFrame) {
 }
 
 TEST_F(CreepProblemOfPatch, TurnsForcesBackIntoThePatchesFrame) {
+  request_.slip.variation = SlipVariation::planar; // the wheel has no surface
   motion_.frame = RollingFrame(1.0, true);
   CreepResult creep;
   LinePlans plans;

@@ -177,7 +177,7 @@ TEST(CurveDisplacement, WorkIsReciprocal) {
   }
   LinePlans plans;
   const std::vector<double> opened = opened_by_tractions(problem.rolling, rise_x, rise_y);
-  const SlipAlongCurve slip = slip_along_curve(problem.rolling, plans);
+  const SlipByPressures slip = slip_by_pressures(problem.rolling, problem.rolling.angles, plans);
   const double along = grid.longitudinal_step * product(x, slip.x);
   const double work = along + grid.longitudinal_step * product(y, slip.y);
   EXPECT_GT(std::abs(along), 1e-2 * std::abs(work));
@@ -186,26 +186,27 @@ TEST(CurveDisplacement, WorkIsReciprocal) {
 
 TEST(CurveDisplacement, OfAPlaneIsNone) {
   Problem problem;
-  problem.rolling.angles = {};
   LinePlans plans;
-  EXPECT_TRUE(slip_along_curve(problem.rolling, plans).y.empty());
+  EXPECT_TRUE(slip_by_pressures(problem.rolling, {}, plans).y.empty());
+  const std::vector<double> level(problem.angles.size());
+  EXPECT_TRUE(slip_by_pressures(problem.rolling, level, plans).y.empty());
 }
 
 TEST(CurveDisplacement, HasThePartOfRolling) {
   Problem problem;
   LinePlans plans;
-  const SlipAlongCurve steady = slip_along_curve(problem.rolling, plans);
+  const SlipByPressures steady = slip_by_pressures(problem.rolling, problem.rolling.angles, plans);
   problem.rolling.rolling_share = 0.25;
   for (const double step_length : {0.3, 0.0}) { // the latter: near standstill
     problem.rolling.step_length = step_length;
-    const SlipAlongCurve step = slip_along_curve(problem.rolling, plans);
+    const SlipByPressures step = slip_by_pressures(problem.rolling, problem.rolling.angles, plans);
     for (std::size_t at = 0; at < steady.y.size(); ++at) {
       EXPECT_NEAR(step.x[at], 0.25 * steady.x[at], 1e-18);
       EXPECT_NEAR(step.y[at], 0.25 * steady.y[at], 1e-18);
     }
   }
   problem.rolling.motion = TangentialMotion::shift;
-  EXPECT_TRUE(slip_along_curve(problem.rolling, plans).y.empty());
+  EXPECT_TRUE(slip_by_pressures(problem.rolling, problem.rolling.angles, plans).y.empty());
 }
 
 TEST(CurveDisplacement, AnglesThatDoNotFitAreRefused) {
@@ -269,7 +270,7 @@ struct ConformalContact {
       problem.poisson = poisson;
       problem.difference = SlipDifference::first_order;
       problem.tolerance = 1e-5;
-      SlipAlongCurve slip = slip_along_curve(problem, plans);
+      SlipByPressures slip = slip_by_pressures(problem, problem.angles, plans);
       slip.x.resize(grid.element_count());
       slip.y.resize(grid.element_count());
       if (varying) {

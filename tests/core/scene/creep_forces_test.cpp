@@ -53,6 +53,7 @@ TEST(CreepForces, OnlyWhereCreepagesAreGiven) {
 TEST(CreepForces, AreZeroForZeroCreepagesOrFriction) {
   for (const bool frictionless : {false, true}) {
     Scene scene = scene_at(3.0, frictionless ? moderate : Creepages{});
+    scene.slip = frictionless ? SlipVariation::by_element : SlipVariation::planar;
     scene.left.friction.coefficient = frictionless ? 0.0 : 0.3;
     const SceneResult result = solve_scene(scene);
     const CreepResult& creep = creep_of(result.left);
@@ -60,6 +61,18 @@ TEST(CreepForces, AreZeroForZeroCreepagesOrFriction) {
     EXPECT_EQ(creep.lateral_force, 0.0);
     EXPECT_EQ(creep.friction_power, 0.0);
   }
+}
+
+/// Rows are inclined to each other, so that pressures alone make them slip.
+TEST(CreepForces, OfPressuresAloneAreThoseAlongACurve) {
+  Scene scene = scene_at(3.0, Creepages{});
+  const CreepResult in_plane = creep_of(solve_scene(scene).left);
+  scene.curved = CurvedChoice::yes;
+  const CreepResult along_curve = creep_of(solve_scene(scene).left);
+  const double force = std::hypot(along_curve.longitudinal_force, along_curve.lateral_force);
+  EXPECT_GT(force, 50.0);
+  EXPECT_NEAR(in_plane.longitudinal_force, along_curve.longitudinal_force, 0.05 * force);
+  EXPECT_NEAR(in_plane.lateral_force, along_curve.lateral_force, 0.05 * force);
 }
 
 TEST(CreepForces, MirroredWheelsHaveMirroredForces) {
@@ -75,7 +88,7 @@ TEST(CreepForces, MirroredWheelsHaveMirroredForces) {
   EXPECT_LT(left.longitudinal_force, 0.0); // against the creepage
   EXPECT_DOUBLE_EQ(left.friction_power, 2e4 * left.power_per_speed);
   EXPECT_NEAR(
-      left.power_per_speed,
+      left.power_per_speed - left.power_of_pressures,
       -(left.longitudinal_force * 1e-3 + left.lateral_force * 5e-4 + left.spin_moment * 2e-4),
       1e-9 * left.power_per_speed);
 }
@@ -150,7 +163,8 @@ TEST(CreepForces, ForcesOfPartsInOnePlaneAddUp) {
   EXPECT_NE(one.creepages.longitudinal, other.creepages.longitudinal);
   EXPECT_EQ(one.creepages.spin, other.creepages.spin);
   // -F.w of the whole, with the creepages at its reference, is that of the parts with theirs.
-  EXPECT_NEAR(whole.power_per_speed, -(whole.longitudinal_force * 5e-4 + whole.spin_moment * 3e-4),
+  EXPECT_NEAR(whole.power_per_speed - whole.power_of_pressures,
+              -(whole.longitudinal_force * 5e-4 + whole.spin_moment * 3e-4),
               1e-9 * whole.power_per_speed);
 }
 

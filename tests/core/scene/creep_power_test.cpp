@@ -61,7 +61,8 @@ TEST(CreepPower, OfPartsWithGivenCreepagesIsThatOfTheWhole) {
   const SceneResult result = solve_scene(scene);
   const PatchResult& patch = result.right.value().patches.at(0);
   ASSERT_EQ(patch.parts.size(), 2U);
-  EXPECT_NEAR(product_of(*patch.creep) / patch.creep->power_per_speed, 1.0, 1e-9);
+  const CreepResult& creep = *patch.creep;
+  EXPECT_NEAR(product_of(creep) / (creep.power_per_speed - creep.power_of_pressures), 1.0, 1e-9);
 }
 
 // A soft rail pulls the wheel along: -F.w is negative where the creepage is small.
