@@ -21,7 +21,7 @@ constexpr std::size_t standard_index = index_of(standard_amplitude);
 
 /// Distance of positions that spreads are computed at, mm. Origin: reasoned: a spread is known to a
 /// fifth by ten curves; the curves themselves are no rougher than waves of 3 mm.
-constexpr double spread_step = 0.5;
+constexpr double spread_step = 0.25;
 } // namespace
 
 double ConicityCurve::standard() const {
