@@ -48,9 +48,9 @@ void add_scene_loads(std::vector<Point>& points) {
 void add_materials(std::vector<Point>& points) {
   for (const Base& base : {table1, flange}) {
     for (const double modulus : {0.5, 1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 2e9}) {
-      points.push_back(
-          key_point("modulus", base, "material.youngs_modulus", modulus, " MPa",
-                    base.lateral == 0.0 && (modulus == 0.5 || modulus == 1e3 || modulus == 1e9)));
+      points.push_back(key_point("modulus", base, "material.youngs_modulus", modulus, " MPa",
+                                 base.lateral == 0.0 && (modulus == 0.5 || modulus == 1e3 ||
+                                                         modulus == 1e5 || modulus == 1e9)));
     }
   }
   for (int exponent = -9; exponent <= 9; ++exponent) {
