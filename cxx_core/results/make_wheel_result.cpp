@@ -161,21 +161,14 @@ void note_cut(const WheelSurface& wheel, const RailSurface& rail, double force_e
 }
 
 /// Where elements resolve less than half of the largest pressure, as where two edges meet, it grows
-/// with every element: the warning of the accuracy says that it is not given.
+/// with every element: the warning of the accuracy says that it is not given. Of several patches or
+/// parts the estimate does not say which one it is: theirs are given.
 void note_unresolved(WheelResult& result) {
-  if (result.is_unbounded || result.patches.empty() ||
+  if (result.is_unbounded || result.patches.size() != 1 || !result.patches[0].parts.empty() ||
       !(result.discretisation_error.value_or(0.0) > unresolved_peak)) {
     return;
   }
-  const auto less = [](const PatchResult& one, const PatchResult& other) {
-    return one.pmax_element < other.pmax_element;
-  };
-  result.is_unbounded = true;
-  auto patch = std::ranges::max_element(result.patches, less);
-  patch->is_unbounded = true;
-  if (!patch->parts.empty()) {
-    std::ranges::max_element(patch->parts, less)->is_unbounded = true;
-  }
+  result.is_unbounded = result.patches[0].is_unbounded = true;
   for (Warning& warning : result.warnings) {
     if (warning.kind == WarningClass::accuracy) {
       warning.text +=

@@ -86,7 +86,7 @@ inline double regions_of_patch(const PatchResult& patch) {
   return count;
 }
 
-/// A largest pressure; not-a-number where an end of a body leaves it without a bound.
+/// A largest pressure; not-a-number where it has no bound, or none that the elements show.
 inline double peak_of(bool is_unbounded, double value) {
   return is_unbounded ? none : value;
 }

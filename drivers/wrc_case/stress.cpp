@@ -44,8 +44,8 @@ void write_stress_vtk(const Scene& scene, const std::filesystem::path& path) {
   if (grid.points.empty()) {
     throw Failure(
         "--stress " + path.string() +
-        ": there are no stresses: no wheel is in contact, or the end of a body leaves its "
-        "pressures without a bound");
+        ": there are no stresses: no wheel is in contact, or its pressures have no bound that the "
+        "elements show");
   }
   VtkFile file(path,
                "wrcontact: x y z in mm (track frame), stresses in MPa in the patch's plane, z into "

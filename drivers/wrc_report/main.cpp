@@ -127,10 +127,8 @@ std::vector<std::string> in_brief(const Scene& centre, const std::vector<Positio
   const auto unbounded = std::ranges::count_if(
       positions, [](const Position& one) { return std::isnan(one.pmax) && !one.bands.empty(); });
   if (unbounded > 0) {
-    brief.push_back(
-        "Positions where the end of a profile cuts the contact, whose pressures have no "
-        "bound: " +
-        std::to_string(unbounded) + '.');
+    brief.push_back("Positions where pressures have no bound, or none that the elements show: " +
+                    std::to_string(unbounded) + '.');
   }
   brief.push_back("Contact band on the wheel: s = " +
                   extent_text(positions, &PressedBand::s_from, &PressedBand::s_to) +

@@ -194,13 +194,18 @@ class Result(Group):
     def _graded(self) -> list[Graded]:
         return graded_warnings_of(self._live())
 
-    def freeze(self, fields: Iterable[str] = ()) -> FrozenResult:
+    def freeze(self, fields: Iterable[str] | str = ()) -> FrozenResult:
         """A copy of all numbers, texts and warnings, and of the fields named, without the scene.
 
         It stays when the scene is solved again, and can be copied, pickled and sent to another
         process. UnknownName.
         """
-        return FrozenResult(self.to_dict(), {name: self[name] for name in fields}, self._graded())
+        if isinstance(fields, str):
+            fields = [fields]
+        kept = {name: self[name] for name in fields}
+        for values in kept.values():
+            values.setflags(write=False)
+        return FrozenResult(self.to_dict(), kept, self._graded())
 
     def __reduce__(self) -> tuple[Any, ...]:
         raise TypeError("a wrcontact.Result is read from its scene and cannot be copied or pickled; "
@@ -234,6 +239,7 @@ class Result(Group):
         """
         import pandas
 
+        self._live()
         rows: dict[tuple[str, int], dict[str, float]] = {}
         for name in self._names:
             side, *rest = name.split(".", 3)
@@ -256,6 +262,7 @@ class Result(Group):
         """
         from . import plot
 
+        self._live()
         if ax is not None:
             return plot.draw_panel(self, ax, panel, side)
         return plot.draw_result(self, path)
@@ -279,7 +286,10 @@ class Result(Group):
 
 
 class FrozenResult(Result):
-    """What Result.freeze() keeps of a result; it is read in the same way, but not drawn."""
+    """What Result.freeze() keeps of a result: its numbers, texts and fields are read in the same way.
+
+    What needs the scene is refused (NoResult): plot, patch_table, patch_frame.
+    """
 
     __slots__ = ("_kept", "_fields", "_warnings")
 
@@ -292,9 +302,9 @@ class FrozenResult(Result):
     def __reduce__(self) -> tuple[Any, ...]:
         return FrozenResult, (self._kept, self._fields, self._warnings)
 
-    def freeze(self, fields: Iterable[str] = ()) -> FrozenResult:
+    def freeze(self, fields: Iterable[str] | str = ()) -> FrozenResult:
         """Itself, if it has the fields. UnknownName."""
-        for name in fields:
+        for name in [fields] if isinstance(fields, str) else fields:
             self._field(name, b"")
         return self
 

@@ -28,8 +28,9 @@ def test_a_frozen_result_is_read_as_the_result():
         assert kept.warnings == result.warnings and kept["units"] == result["units"]
         with pytest.raises(wrcontact.UnknownName, match="freeze"):
             kept["right.pressure"]
-        with pytest.raises(wrcontact.NoResult, match="no scene"):
-            kept.patch_table()
+        for needs_scene in (kept.patch_table, kept.patch_frame, kept.plot):
+            with pytest.raises(wrcontact.NoResult, match="no scene"):
+                needs_scene()
     with pytest.raises(wrcontact.UnknownName):
         result.freeze(["left.nothing"])
     result.scene.solve()
