@@ -69,14 +69,15 @@ std::vector<double> inclinations_of(const std::vector<SlipRow>& rows, const Slip
   return frame.turned_components(std::move(angles));
 }
 
-/// Slip of elements, and what pressures add.
-SlipField sum(SlipField slip, const SlipByPressures& added) {
-  if (slip.x.empty()) {
-    return {added.x, added.y};
-  }
+/// Slip of elements, and what pressures add: the part of rolling, so that none is left at
+/// standstill.
+SlipField sum(SlipField slip, const SlipByPressures& added, const PatchMotion& motion) {
+  const double part = motion.rolling_share * motion.slip_scale;
+  slip.x.resize(std::max(slip.x.size(), added.x.size()));
+  slip.y.resize(slip.x.size());
   for (std::size_t i = 0; i < added.x.size(); ++i) {
-    slip.x[i] += added.x[i];
-    slip.y[i] += added.y[i];
+    slip.x[i] += part * added.x[i];
+    slip.y[i] += part * added.y[i];
   }
   return slip;
 }
@@ -113,7 +114,8 @@ std::vector<ProblemRate> problem_rates(const PatchTask& task, const Grid& grid,
         inclinations_of(rows, task.request.slip, task.motion.frame);
     ahead.fields.slip =
         sum(std::move(ahead.fields.slip),
-            slip_by_pressures(then, now.angles.empty() ? inclinations : now.angles, plans));
+            slip_by_pressures(then, now.angles.empty() ? inclinations : now.angles, plans),
+            task.motion);
     result.push_back(rate_between(now, ahead.grid, ahead.fields, step));
   }
   return result;
@@ -181,7 +183,7 @@ void take_in_slip(const PatchTask& task, const std::vector<SlipRow>& rows, const
 /// make rows slip by the share of rolling.
 std::vector<ProblemRate> all_rates(const PatchTask& task, const Grid& grid,
                                    const RollingProblem& problem,
-                                   std::span<const double> inclinations, LinePlans& plans) {
+                                   const SlipByPressures& by_pressures, LinePlans& plans) {
   std::vector<ProblemRate> rates;
   if (task.rates != nullptr && !unlike_bodies(task.request)) {
     rates = problem_rates(task, grid, problem, plans);
@@ -190,9 +192,6 @@ std::vector<ProblemRate> all_rates(const PatchTask& task, const Grid& grid,
     rates.push_back(rate_by(problem, problem.slip_x, problem.slip_y));
     rates.push_back(rate_by(problem, problem.weight_x, problem.weight_y));
   }
-  RollingProblem all = problem;
-  all.rolling_share = 1.0;
-  const SlipByPressures by_pressures = slip_by_pressures(all, inclinations, plans);
   if (problem.step_length > 0.0 || !by_pressures.x.empty()) {
     rates.push_back(rate_by(problem, by_pressures.x, by_pressures.y));
     rates.back().rolling_share = 1.0;
@@ -239,9 +238,10 @@ CreepProblem::CreepProblem(const PatchTask& task, LinePlans& plans, CreepResult&
   problem_.rolling_share = motion.rolling_share;
   angles_ = motion.frame.turned_components(row_angles(patch.frame, grid_));
   problem_.angles = angles_;
-  inclinations_ = angles_.empty() ? inclinations_of(rows_, request.slip, motion.frame) : angles_;
-  by_pressures_ = slip_by_pressures(problem_, inclinations_, plans_);
-  fields_.slip = sum(std::move(fields_.slip), by_pressures_);
+  by_pressures_ = slip_by_pressures(
+      problem_, angles_.empty() ? inclinations_of(rows_, request.slip, motion.frame) : angles_,
+      plans_);
+  fields_.slip = sum(std::move(fields_.slip), by_pressures_, motion);
   problem_.slip_x = fields_.slip.x;
   problem_.slip_y = fields_.slip.y;
   error_of_elements_ = creep_error_of_one_column / (chosen.columns * chosen.columns);
@@ -255,7 +255,7 @@ CreepProblem::CreepProblem(const PatchTask& task, LinePlans& plans, CreepResult&
 }
 
 void CreepProblem::request_rates() {
-  rates_ = all_rates(task_, grid_, problem_, inclinations_, plans_);
+  rates_ = all_rates(task_, grid_, problem_, by_pressures_, plans_);
   problem_.rates = rates_;
 }
 
@@ -263,7 +263,7 @@ CreepForces CreepProblem::take(RollingSolution solution, CreepResult& creep) con
   const CreepRequest& request = task_.request;
   for (std::size_t i = 0; i < by_pressures_.x.size(); ++i) {
     solution.power_of_pressures -=
-        grid_.element_area() *
+        task_.motion.rolling_share * grid_.element_area() *
         (solution.traction_x[i] * by_pressures_.x[i] + solution.traction_y[i] * by_pressures_.y[i]);
   }
   solution = task_.motion.frame.turned(std::move(solution));

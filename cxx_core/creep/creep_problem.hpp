@@ -53,9 +53,8 @@ private:
   SlipField slip_;       ///< in the patch's plane
   ProblemFields fields_; ///< in the rolling frame, as the problem's
   std::vector<ProblemRate> rates_;
-  std::vector<double> angles_;       ///< of rows along a curve, in the rolling frame
-  std::vector<double> inclinations_; ///< these, or those of rows to the plane
-  SlipByPressures by_pressures_;     ///< by these
+  std::vector<double> angles_;   ///< of rows along a curve, in the rolling frame
+  SlipByPressures by_pressures_; ///< likewise
   RollingProblem problem_;
   double error_of_elements_ = 0.0;
 };

@@ -35,7 +35,7 @@ public:
     creepages.longitudinal /= of_creepages_;
     creepages.lateral /= of_creepages_;
     creepages.spin /= of_creepages_;
-    motion_.rolling_share /= motion_.step_length > 0.0 ? 1.0 : of_creepages_; // slip by pressures
+    motion_.slip_scale /= of_creepages_;
     if (motion_.twist) {
       for (double& velocity : *motion_.twist) {
         velocity /= of_creepages_;

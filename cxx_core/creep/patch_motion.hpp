@@ -30,6 +30,7 @@ struct PatchMotion {
   std::optional<Twist> twist{};
   double step_length = 0.0;   ///< of a step of time (rolling_problem.hpp); 0: steady rolling
   double rolling_share = 1.0; ///< |V_ref| over `slip_speed`: below 1 near standstill
+  double slip_scale = 1.0;    ///< of the creepages, which slip by pressures follows
 };
 
 /// Creepages at a point of a patch's plane from those at its reference.

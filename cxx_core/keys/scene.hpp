@@ -104,8 +104,8 @@ struct Scene : WheelOptions {
   std::optional<Motion> motion;
   double standstill_speed = Motion{}.standstill_speed; ///< of the motion
   std::array<double, 6> acceleration{};                ///< of the motion
-  bool steady_errors =
-      true; ///< with derivatives of a motion; not of solutions on the way to another
+  /// Whether CreepResult::steady_error is found: not in solutions on the way to another.
+  bool steady_errors = true;
   bool pitch_is_free = false; ///< of the motion: such that contact forces hold the torque
   double torque = 0.0;        ///< about the axle, N mm, > 0 drives forwards
   bool derivatives = false;   ///< of creep forces, whether they are kept for a Jacobian

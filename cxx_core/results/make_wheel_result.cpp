@@ -171,9 +171,8 @@ void note_unresolved(WheelResult& result) {
   result.is_unbounded = result.patches[0].is_unbounded = true;
   for (Warning& warning : result.warnings) {
     if (warning.kind == WarningClass::accuracy) {
-      warning.text +=
-          "; pressures have no bound there, or none that these elements show, so pmax and "
-          "what follows from it are not given";
+      warning.text += "; pressures have no bound, or none that these elements show, so pmax and "
+                      "what follows from it are not given";
     }
   }
 }

@@ -80,7 +80,7 @@ SlipByPressures slip_by_pressures(const RollingProblem& problem,
   steady.step_length = 0.0;
   CurveSums sums(problem, inclinations, difference_of(steady).weights, plans);
   SlipByPressures slip{sums.along(problem.pressure), sums.across(problem.pressure)};
-  const double unit = problem.rolling_share / problem.shear_modulus;
+  const double unit = 1.0 / problem.shear_modulus;
   for (std::size_t at = 0; at < slip.x.size(); ++at) {
     slip.x[at] *= unit;
     slip.y[at] *= unit;

@@ -24,8 +24,8 @@ struct SlipByPressures {
   std::vector<double> y;
 };
 
-/// The part of rolling, so that none is left at standstill. None where no row is inclined.
-/// `inclinations`: of the rows by lateral index, rad; empty: none is.
+/// None where no row is inclined. `inclinations`: of the rows by lateral index, rad; empty: none
+/// is.
 SlipByPressures slip_by_pressures(const RollingProblem& problem,
                                   std::span<const double> inclinations, LinePlans& plans);
 

@@ -91,8 +91,7 @@ struct RollingProblem {
   std::span<const double> weight_y;
   /// Of a step of time, mm; 0: none. -u'/d is part of the slip of each element.
   double step_length = 0.0;
-  double rolling_share =
-      1.0; ///< f, 0 to 1 in a step of time; in steady rolling of the slip by pressures
+  double rolling_share = 1.0; ///< f, 0 to 1, in a step of time
   /// Tractions before a step or a shift, MPa per element of the same grid, which moves with the
   /// contact; empty: none.
   std::span<const double> previous_x;

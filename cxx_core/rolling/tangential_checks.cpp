@@ -101,8 +101,7 @@ void check_problem(const RollingProblem& problem) {
   if (!(problem.step_length >= 0.0) || !std::isfinite(problem.step_length)) {
     throw_invalid_argument("step_length", problem.step_length, "must be finite and not negative");
   }
-  if (!(problem.rolling_share >= 0.0) ||
-      (problem.step_length > 0.0 && problem.rolling_share > 1.0)) {
+  if (!(problem.rolling_share >= 0.0 && problem.rolling_share <= 1.0)) {
     throw_invalid_argument("rolling_share", problem.rolling_share, "must be from 0 to 1");
   }
   check_finite("longitudinal_creepage", problem.creepages.longitudinal);

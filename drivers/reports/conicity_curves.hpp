@@ -30,7 +30,7 @@ struct ConicityCurve {
 
   /// At `standard_amplitude`; NaN if there is none.
   [[nodiscard]] double standard() const;
-  /// The nonlinearity parameter: half of the conicity at 4 mm less that at 2 mm, 1/mm (Polach,
+  /// The nonlinearity parameter: half of the difference of conicities at 4 and 2 mm, 1/mm (Polach,
   /// Characteristic parameters of nonlinear wheel/rail contact geometry, Veh. Syst. Dyn. 48, 2010);
   /// NaN if there is none.
   [[nodiscard]] double nonlinearity() const;

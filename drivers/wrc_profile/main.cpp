@@ -342,12 +342,12 @@ int run(const Program& app, const Arguments& arguments) {
   }
   if (!is_standard(arguments.name)) {
     report.contact = contact_of(report.profile);
-    for (const Warning& warning : report.contact&& arguments.strict && !app.has("--smooth")
-                                      ? spread_warnings(*report.contact)
-                                      : std::vector<Warning>()) {
-      if (warning.grade == WRC_DO_NOT_USE) {
-        throw Failure(arguments.name + ": strict reading refuses it: " + warning.text +
-                      "; state the smoothing: --smooth auto, a wavelength in mm or 0");
+    if (report.contact && arguments.strict && !app.has("--smooth")) {
+      for (const Warning& warning : spread_warnings(*report.contact)) {
+        if (warning.grade == WRC_DO_NOT_USE) {
+          throw Failure(arguments.name + ": strict reading refuses it: " + warning.text +
+                        "; state the smoothing: --smooth auto, a wavelength in mm or 0");
+        }
       }
     }
   }

@@ -210,15 +210,15 @@ Outcome solved(const DrawnScene& drawn, bool with_fields) {
 /// A largest pressure above this needs a warning of its reason, MPa.
 constexpr double implausible_pressure = 1e4;
 
-/// A largest pressure or traction that an end of a body leaves without a bound, and a warning says
-/// so; a spread where points do not tell their noise, or cannot be smoothed.
+/// A largest pressure or traction without a bound, or without one that elements show, and a warning
+/// says so; a spread where points do not tell their noise, or cannot be smoothed.
 bool is_withheld(const Outcome& outcome, const std::string& name, double value) {
   const bool is_peak =
       name.ends_with(".pmax") || name.ends_with(".pmax_element") || name.ends_with(".traction_max");
-  return std::isnan(value) && (name.find("spread.") != std::string::npos ||
-                               name.find("smoothed_") != std::string::npos ||
-                               (is_peak && outcome.warns(name.substr(0, name.find('.')),
-                                                         "pressures have no bound there")));
+  return std::isnan(value) &&
+         (name.find("spread.") != std::string::npos ||
+          name.find("smoothed_") != std::string::npos ||
+          (is_peak && outcome.warns(name.substr(0, name.find('.')), "pressures have no bound")));
 }
 
 std::string check_equilibrium(const DrawnScene& scene, const Outcome& outcome) {
