@@ -187,7 +187,7 @@ void print_creep_forces(const Scene& scene, std::ostream& out) {
                         {"slip", "mm2", "slip_area", 9, 2},
                         {"adhesion", "mm2", "adhesion_area", 10, 2},
                         {"traction", "max, MPa", "traction_max", 10, 1},
-                        {"-F.w", "N", "wear_number", 9, 3}});
+                        {"T-gamma", "N", "wear_number", 9, 3}});
 }
 
 void print_patch_places(const Scene& scene, std::ostream& out) {

@@ -59,6 +59,7 @@ constexpr std::array units{
     Unit{"motion.pitch", "rad/s"},
     Unit{"motion.yaw", "rad/s"},
     Unit{"motion.", "mm/s"},
+    Unit{"pitch", "rad"},
     Unit{"load.", "N"},
     Unit{"pressure", "MPa"},
     Unit{"modulus", "MPa"},

@@ -1,13 +1,13 @@
 /// Largest pressures and conicities of wheels whose points have noise, against those of the points
 /// without it.
 ///
-///   measure_noise [SAMPLES [FOLDER [STRIDE]]]     default 5, no measured wheels and 1
+///   measure_noise [SAMPLES [FOLDER [STRIDE [REPEATS]]]]     default 5, no measured wheels, 1 and 1
 ///
 /// FOLDER holds measured wheels in columns (tests/reference/profiles of the sources). Prints, for
 /// S1002 at y = 0, pmax with the smoothing wavelengths that a user might choose and with the
 /// automatic smoothing; for each sort of noise how often pmax and the conicity are within 5 % of
-/// the truth and within the spread, with one of STRIDE samples; and what the automatic smoothing
-/// changes of points that have no noise added.
+/// the truth and within the spread, with one of STRIDE samples, each REPEATS times with other
+/// noise; and what the automatic smoothing changes of points that have no noise added.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -215,8 +215,8 @@ void print_counts(const std::string& sort, const char* result, const Counts& cou
   std::fflush(stdout);
 }
 
-/// Each sort of noise on each wheel, of which one in `stride` is solved.
-void print_coverage(const std::vector<Wheel>& wheels, std::uint64_t stride) {
+/// Each sort of noise on each wheel, drawn `repeats` times; one in `stride` is solved.
+void print_coverage(const std::vector<Wheel>& wheels, std::uint64_t stride, int repeats) {
   constexpr double laterals[] = {0.0, -4.0, 3.0};
   std::printf(
       "\n| noise | result | within 5 %% | or within the spread | of | median error | error of "
@@ -231,7 +231,8 @@ void print_coverage(const std::vector<Wheel>& wheels, std::uint64_t stride) {
       Profile exact = wheel.profile;
       exact.doubt = {};
       const double true_conicity = conicity_of(exact).value;
-      for (Noise noise : sort.noises) {
+      for (std::size_t i = 0; i < sort.noises.size() * static_cast<std::size_t>(repeats); ++i) {
+        Noise noise = sort.noises[i % sort.noises.size()];
         noise.seed = ++number;
         if (number % stride == 0) {
           const double lateral = laterals[(number / stride) % 3];
@@ -270,15 +271,17 @@ void print_changes(const std::vector<std::string>& files) {
 }
 
 constexpr const char* usage =
-    "measure_noise [SAMPLES [FOLDER [STRIDE]]]     default 5, no measured wheels and 1\n\n"
+    "measure_noise [SAMPLES [FOLDER [STRIDE [REPEATS]]]]     default 5, none, 1 and 1\n\n"
     "Compares largest pressures and conicities of wheels whose points have noise with those\n"
     "without it. FOLDER holds measured wheels in columns (tests/reference/profiles of the\n"
-    "sources). Of about 340 samples with four wheels one of STRIDE is solved.\n";
+    "sources). Of 328 samples with four wheels, or REPEATS times as many, one of STRIDE is\n"
+    "solved.\n";
 
 int measure(const evidence::Arguments& arguments) {
   const int samples = arguments.whole(0, "SAMPLES", 5);
   const int stride = std::max(arguments.count() > 2 ? arguments.whole(2, "STRIDE", 1) : 1, 1);
-  arguments.refuse_beyond(3);
+  const int repeats = std::max(arguments.count() > 3 ? arguments.whole(3, "REPEATS", 1) : 1, 1);
+  arguments.refuse_beyond(4);
   std::vector<Wheel> wheels{{"S1002", standard_profile("S1002")}, {"LMA", standard_profile("LMA")}};
   print_wavelengths(wheels.front(), samples);
   std::vector<std::string> files;
@@ -293,7 +296,7 @@ int measure(const evidence::Arguments& arguments) {
           "S1002-Manchester", "whl_left_iter288", "avg_wheel"})
       files.push_back(folder + name + ".txt");
   }
-  print_coverage(wheels, static_cast<std::uint64_t>(stride));
+  print_coverage(wheels, static_cast<std::uint64_t>(stride), repeats);
   print_changes(files);
   return 0;
 }
