@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <span>
 
+#include "accuracy/peak_section.hpp"
 #include "base/error.hpp"
 #include "geometry/first_touch.hpp"
 #include "geometry/side_frame.hpp"
@@ -160,21 +162,46 @@ void note_cut(const WheelSurface& wheel, const RailSurface& rail, double force_e
            estimate + ", and forces jump by about 1 % of the load as the contact passes"});
 }
 
-/// Where elements resolve less than half of the largest pressure, as where two edges meet, it grows
-/// with every element: the warning of the accuracy says that it is not given. Of several patches or
-/// parts the estimate does not say which one it is: theirs are given.
+/// The patch, or its part, that has the largest pressure.
+const PatchResult& largest_of(std::span<const PatchResult> patches) {
+  const PatchResult& largest = *std::ranges::max_element(patches, {}, &PatchResult::pmax);
+  return largest.parts.empty() ? largest : largest_of(largest.parts);
+}
+
+void mark_largest(std::span<PatchResult> patches) {
+  if (!patches.empty()) {
+    PatchResult& largest = *std::ranges::max_element(patches, {}, &PatchResult::pmax);
+    largest.is_unbounded = true;
+    mark_largest(largest.parts);
+  }
+}
+
+/// Where elements resolve less than half of the largest pressure, as where two edges meet, or where
+/// it is that of a sharp kink, it grows with every element: the warnings of the accuracy and of the
+/// kink say that it is not given.
 void note_unresolved(WheelResult& result) {
-  if (result.is_unbounded || result.patches.size() != 1 || !result.patches[0].parts.empty() ||
-      !(result.discretisation_error.value_or(0.0) > unresolved_peak)) {
+  if (result.is_unbounded || result.patches.empty()) {
     return;
   }
-  result.is_unbounded = result.patches[0].is_unbounded = true;
-  for (Warning& warning : result.warnings) {
-    if (warning.kind == WarningClass::accuracy) {
-      warning.text += "; pressures have no bound, or none that these elements show, so pmax and "
-                      "what follows from it are not given";
-    }
+  const PatchResult& largest = largest_of(result.patches);
+  const double with_twice_the_elements =
+      std::numbers::ln2 * growth_at_ridge(largest.ridge, result.details.request.combined_modulus);
+  if (!(result.discretisation_error.value_or(0.0) > unresolved_peak) &&
+      !(with_twice_the_elements > unbounded_growth * largest.pmax)) {
+    return;
   }
+  result.is_unbounded = true;
+  mark_largest(result.patches);
+  const auto of_accuracy = [](const Warning& warning) {
+    return warning.kind == WarningClass::accuracy || warning.kind == WarningClass::ridge;
+  };
+  auto why = std::ranges::find_if(result.warnings, of_accuracy);
+  if (why == result.warnings.end()) { // with an accuracy of forces, which meet it
+    why = result.warnings.insert(why,
+                                 {WarningClass::ridge, "a profile has a kink inside the contact"});
+  }
+  why->text += "; pressures have no bound, or none that these elements show, so pmax and what "
+               "follows from it are not given";
 }
 
 } // namespace

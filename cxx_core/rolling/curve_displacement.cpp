@@ -32,12 +32,19 @@ private:
   /// sum_j sin(k (a_i - a_j)) K f_j, as sin a (K cos a) f - cos a (K sin a) f.
   std::vector<double> turned(std::span<const double> field, TractionPart part, double k) {
     const std::size_t count = field.size();
+    std::vector<double> cosines;
+    std::vector<double> sines;
+    cosines.reserve(inclinations_.size());
+    sines.reserve(inclinations_.size());
+    for (const double inclination : inclinations_) {
+      cosines.push_back(std::cos(k * inclination));
+      sines.push_back(std::sin(k * inclination));
+    }
     std::vector<double> by_cosine(count);
     std::vector<double> by_sine(count);
     for (std::size_t at = 0; at < count; ++at) {
-      const double angle = k * inclinations_[at / shape_.rows];
-      by_cosine[downstream(at)] = std::cos(angle) * field[at];
-      by_sine[downstream(at)] = std::sin(angle) * field[at];
+      by_cosine[downstream(at)] = cosines[at / shape_.rows] * field[at];
+      by_sine[downstream(at)] = sines[at / shape_.rows] * field[at];
     }
     const TractionConvolution<double> kernel(shape_, shape_.columns, problem_.poisson, weights_,
                                              table_, plans_, part);
@@ -48,9 +55,8 @@ private:
     kernel.apply(by_cosine.data(), by_sine.data(), first.data(), second.data(), workspace_);
     std::vector<double> sums(count);
     for (std::size_t at = 0; at < count; ++at) {
-      const double angle = k * inclinations_[at / shape_.rows];
-      sums[at] =
-          std::sin(angle) * by_cosine[downstream(at)] - std::cos(angle) * by_sine[downstream(at)];
+      const std::size_t row = at / shape_.rows;
+      sums[at] = sines[row] * by_cosine[downstream(at)] - cosines[row] * by_sine[downstream(at)];
     }
     return sums;
   }

@@ -128,5 +128,60 @@ TEST(Warnings, SayWhyALargestPressureIsNotGiven) {
   EXPECT_TRUE(std::isfinite(scene.number("right.pmax")));
 }
 
+/// Of several patches it is the largest one that is not given.
+TEST(Warnings, SayWhyALargestPressureOfSeveralPatchesIsNotGiven) {
+  wrcontact::Scene scene;
+  scene.set("wheelset.wheel", "LM");
+  scene.set("track.rail", "60E1");
+  scene.set("solve.curved", "yes");
+  for (const auto& [key, value] : {std::pair("wheelset.radius", 3383.4975501784684),
+                                   {"load.normal", 102321.59023437923},
+                                   {"pose.lateral", -0.33442277013841881},
+                                   {"pose.roll", 0.0023172886601049341},
+                                   {"pose.yaw", 0.071242890228783079},
+                                   {"solve.accuracy", 0.09}}) {
+    scene.set(key, value);
+  }
+  scene.solve();
+  EXPECT_GT(scene.number("right.discretisation_error"), 0.5);
+  EXPECT_TRUE(std::isnan(scene.number("right.pmax")));
+  int given = 0;
+  int count = 0;
+  for (; scene.has_number("right.patches." + std::to_string(count) + ".pmax"); ++count) {
+    given +=
+        std::isfinite(scene.number("right.patches." + std::to_string(count) + ".pmax")) ? 1 : 0;
+  }
+  EXPECT_GE(count, 2);
+  EXPECT_EQ(given, count - 1);
+}
+
+/// On a chamfer's edge of 0.66 rad pressures grow with every element, though the estimate is 0.3.
+TEST(Warnings, SayWhyALargestPressureOnAKinkIsNotGiven) {
+  wrcontact::Scene scene;
+  scene.set("wheelset.wheel", "LM");
+  scene.set("track.rail", "54E3");
+  scene.set("solve.side", "right");
+  for (const auto& [key, value] : {std::pair("wheelset.radius", 4194.423631053407),
+                                   {"load.left", 258921.76},
+                                   {"load.right", 258921.76},
+                                   {"track.cant", 0.0},
+                                   {"pose.lateral", 2.0258510051756531},
+                                   {"pose.yaw", 0.031358373577849263},
+                                   {"solve.accuracy", 1e-2}}) {
+    scene.set(key, value);
+  }
+  for (const char* of : {"pressures", "forces"}) {
+    scene.set("solve.accuracy_of", of);
+    scene.solve();
+    EXPECT_LT(scene.number("right.discretisation_error"), 0.5) << of;
+    EXPECT_TRUE(std::isnan(scene.number("right.pmax"))) << of;
+    std::string all;
+    for (const std::string& text : scene.warnings()) {
+      all += text;
+    }
+    EXPECT_NE(all.find("so pmax and what follows from it are not given"), std::string::npos) << all;
+  }
+}
+
 } // namespace
 } // namespace warnings_test

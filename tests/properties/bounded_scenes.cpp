@@ -7,8 +7,9 @@
 // Varying: on rails along the track and under wheels around the circumference (varying_scene.hpp).
 // Prints arguments of wrc_case for each failure and for each scene beyond 2 s of processor time or
 // 500 MB; the folder takes scene files of those with profiles made of points. At the end: counts by
-// status, failures, results that are not finite, scenes that take more than 30 times the median,
-// the slowest scene and the one with the most memory and elements. Exits with 1 on failures, to
+// status, failures, results that are not finite, scenes that take more than 30 times the median of
+// their kind, the slowest scene and the one with the most memory and elements. A kind of scenes has
+// the same decade of accuracy, and derivatives and curves or none. Exits with 1 on failures, to
 // which time and memory do not count. A single scene is solved in this process, for a debugger.
 #include <algorithm>
 #include <array>
@@ -237,6 +238,36 @@ std::string arguments_of(const DrawnScene& drawn, const std::string& name) {
   return text;
 }
 
+/// What a user expects to cost more, in words.
+std::string kind_of(const DrawnScene& drawn) {
+  double accuracy = 1e-3; // the default
+  std::string kind;
+  for (const auto& [key, value] : drawn.values()) {
+    if (key == "solve.accuracy") {
+      accuracy = std::get<double>(value);
+    } else if (key == "solve.derivatives" || key == "solve.curved") {
+      kind += key.substr(key.find('.') + 1) + ' ' + std::get<std::string>(value) + ", ";
+    }
+  }
+  return kind + (accuracy < 1e-2 ? "below 1e-2" : "1e-2 and above");
+}
+
+/// Those that take much longer than the median of their kind.
+void print_long_ones(std::map<std::string, std::vector<std::pair<double, long>>> times) {
+  for (auto& [kind, of_kind] : times) {
+    std::ranges::sort(of_kind, std::greater{});
+    const double median = of_kind[of_kind.size() / 2].first;
+    std::printf("%s: %zu scenes, median %.4g s; longer than %g times that:", kind.c_str(),
+                of_kind.size(), median, much_longer);
+    for (const auto& [seconds, scene] : of_kind) {
+      if (seconds > much_longer * median) {
+        std::printf(" %ld (%.2g s)", scene, seconds);
+      }
+    }
+    std::printf("\n");
+  }
+}
+
 /// The scene that has most of something.
 struct Most {
   double value = -1.0;
@@ -264,7 +295,7 @@ int main(int argc, char** argv) {
   long beyond = 0;
   double not_finite = 0.0;
   std::array<Most, 3> most;
-  std::vector<std::pair<double, long>> times;
+  std::map<std::string, std::vector<std::pair<double, long>>> times;
   for (long i = begin; i < begin + count; ++i) {
     const std::uint64_t of_scene = seed * 1000000007ULL + static_cast<std::uint64_t>(i);
     const DrawnScene drawn = lists             ? lists->scene(of_scene)
@@ -273,7 +304,7 @@ int main(int argc, char** argv) {
     const std::string name = kind + '_' + std::to_string(seed) + '_' + std::to_string(i) + ".toml";
     const Solved solved = count == 1 ? Solved{solve(drawn)} : solve_apart(drawn);
     const Told& told = solved.told;
-    times.emplace_back(solved.seconds, i);
+    times[kind_of(drawn)].emplace_back(solved.seconds, i);
     ++statuses[told.status.data()];
     not_finite += told.not_finite;
     const bool wrong = told.wrong[0] != '\0';
@@ -296,15 +327,7 @@ int main(int argc, char** argv) {
   for (const auto& [text, scenes] : statuses) {
     std::printf("%ld %s\n", scenes, text.c_str());
   }
-  std::ranges::sort(times, std::greater{});
-  const double median = times[times.size() / 2].first;
-  std::printf("median %.4g s; longer than %g times that:", median, much_longer);
-  for (const auto& [seconds, scene] : times) {
-    if (seconds > much_longer * median) {
-      std::printf(" %ld (%.2g s)", scene, seconds);
-    }
-  }
-  std::printf("\n");
+  print_long_ones(std::move(times));
   constexpr std::array names{"slowest, s", "most memory, MB", "most elements"};
   for (std::size_t k = 0; k < names.size(); ++k) {
     std::printf("%s: %.4g, scene %ld\n  %s\n", names.at(k), most.at(k).value, most.at(k).scene,
