@@ -7,6 +7,7 @@
 #include "accuracy/constants.hpp"
 #include "patches/plane_area.hpp"
 #include "pressure/contact_scale.hpp"
+#include "pressure/edge_rows.hpp"
 #include "remesh/met_distance.hpp"
 
 namespace wrc {
@@ -29,6 +30,12 @@ double rows_for(double error, const AccuracyGoal& goal) {
   return std::sqrt((error_by_squares + std::sqrt(error_by_squares * error_by_squares +
                                                  4.0 * error_by_fourth_powers * of_factor)) /
                    (2.0 * of_factor));
+}
+
+/// Error of a contact's place, which falls with the rows as fast as the law's.
+double error_of_place(std::span<const ContactRow> of_rows, double rows) {
+  const double on_few_rows = 1.0 + error_by_fourth_powers / (error_by_squares * rows * rows);
+  return error_by_edges * on_few_rows * edge_error(of_rows);
 }
 
 /// The next power of the root of 2, 1 at least.
@@ -128,16 +135,21 @@ ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& g
   ErrorEstimate error;
   double bound = 0.0;
   double weighted = 0.0;
+  double weighted_edges = 0.0;
   double forces = 0.0;
   for (const Patch& patch : solution.patches) {
     if (!patch.no_contact()) {
-      const ContactScale scale = contact_scale(patch.grid, patch.pressure);
+      const std::vector<ContactRow> of_rows = contact_rows(patch.grid, patch.pressure);
+      const ContactScale scale = contact_scale(of_rows, patch.grid.lateral_step);
       const double rows = std::min(scale.across / patch.grid.lateral_step,
                                    scale.along / (columns_by_rows * patch.grid.longitudinal_step));
       const double of_patch =
           std::max(error_of(rows, goal), bent_error * patch.bend * goal.of_contact());
       error.elements = std::max(error.elements, of_patch);
+      const double of_edges = error_of_place(of_rows, rows);
+      error.edges = std::max(error.edges, of_edges);
       weighted += patch.normal_force * of_patch;
+      weighted_edges += patch.normal_force * of_edges;
       forces += patch.normal_force;
       error.ridge =
           std::max({error.ridge, error_at_ridge(patch), patch.growth / solution.peak_pressure()});
@@ -149,6 +161,7 @@ ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& g
   }
   if (goal.forces_only && solution.patches.size() > 1 && forces > 0.0) {
     error.elements = weighted / forces;
+    error.edges = weighted_edges / forces;
   }
   error.iteration = solution.pressure_error;
   error.crest = bound / solution.peak_pressure() - 1.0;

@@ -71,17 +71,18 @@ std::vector<PatchElements> final_elements(std::span<const ExpectedContact> conta
 /// Relative errors of the results that the accuracy covers.
 struct ErrorEstimate {
   double elements = 0.0;  ///< by the law; of forces, each patch by its share of the load
+  double edges = 0.0;     ///< of moments and place, by where in their rows contact ends; likewise
   double iteration = 0.0; ///< remaining error of the iteration
   double crest = 0.0;     ///< what a section has not resolved
   double along = 0.0;     ///< of the largest pressure: what columns leave of a crest along the rail
   double ridge = 0.0;     ///< error due to a kink of a profile, on any number of rows
-  /// What the iteration has left is independent of the rest.
+  /// What the iteration and the edges leave is independent of the rest.
   [[nodiscard]] double total() const {
-    return std::hypot(columns_too() + crest + ridge, iteration);
+    return std::hypot(columns_too() + crest + ridge, edges, iteration);
   }
-  /// Without what the largest pressure adds.
+  /// Without what the largest pressure and the edges add.
   [[nodiscard]] double of_forces() const { return std::hypot(elements + ridge, iteration); }
-  /// What more elements lessen.
+  /// What a second grid is for.
   [[nodiscard]] double reducible() const { return std::hypot(columns_too() + crest, iteration); }
 
 private:

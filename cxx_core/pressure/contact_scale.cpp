@@ -63,16 +63,24 @@ ContactScale contact_scale(std::span<const ContactRow> rows, double height, std:
           2.0 * std::sqrt(5.0 * of_lines)};
 }
 
-ContactScale contact_scale(const Grid& grid, std::span<const double> pressure) {
+std::vector<ContactRow> contact_rows(const Grid& grid, std::span<const double> pressure) {
   std::vector<ContactRow> rows;
-  std::size_t in_contact = 0;
+  rows.reserve(grid.lateral_count);
   for (std::size_t i = 0; i < grid.lateral_count; ++i) {
     rows.push_back(row_of(pressure.subspan(i * grid.longitudinal_count, grid.longitudinal_count),
                           grid.longitudinal_step));
-    in_contact += rows.back().force > 0.0 ? 1 : 0;
   }
-  return contact_scale(rows, grid.lateral_step,
-                       std::max(in_contact / rows_of_differences, std::size_t{1}));
+  return rows;
+}
+
+ContactScale contact_scale(std::span<const ContactRow> rows, double height) {
+  const auto in_contact = static_cast<std::size_t>(std::count_if(
+      rows.begin(), rows.end(), [](const ContactRow& row) { return row.force > 0.0; }));
+  return contact_scale(rows, height, std::max(in_contact / rows_of_differences, std::size_t{1}));
+}
+
+ContactScale contact_scale(const Grid& grid, std::span<const double> pressure) {
+  return contact_scale(contact_rows(grid, pressure), grid.lateral_step);
 }
 
 } // namespace wrc

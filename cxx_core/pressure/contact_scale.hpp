@@ -17,6 +17,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "base/grid.hpp"
 
@@ -38,6 +39,9 @@ struct ContactRow {
 ContactScale contact_scale(std::span<const ContactRow> rows, double height, std::size_t span);
 
 /// `pressure`: of the grid's elements, not negative, some of them positive.
+std::vector<ContactRow> contact_rows(const Grid& grid, std::span<const double> pressure);
+/// Of these rows.
+ContactScale contact_scale(std::span<const ContactRow> rows, double height);
 ContactScale contact_scale(const Grid& grid, std::span<const double> pressure);
 
 } // namespace wrc

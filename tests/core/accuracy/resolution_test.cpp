@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "accuracy/constants.hpp"
+#include "pressure/contact_scale.hpp"
+#include "pressure/edge_rows.hpp"
 #include "remesh/constants.hpp"
 
 namespace wrc::test::resolution_test {
@@ -145,6 +147,35 @@ TEST(Resolution, ErrorsOfForcesCountByTheShareOfTheLoad) {
 }
 
 /// In proportion to the angle and the width of a row, over the overlap of 0.05 mm.
+/// Of a contact whose last row bears half of the others': moments are less certain, which no second
+/// grid is for.
+TEST(Resolution, EdgesThatDifferAddAnErrorOfPlace) {
+  GridSolution solution = block_contact();
+  EXPECT_NEAR(estimate_error(solution, {}).edges, 0.0, rounding);
+  Patch& patch = solution.patches.front();
+  for (std::size_t column = 5; column < 15; ++column) {
+    patch.pressure[20 * 29 + column] = 500.0;
+  }
+  const AccuracyGoal of_forces{.forces_only = true};
+  const ErrorEstimate error = estimate_error(solution, of_forces);
+  const ContactScale scale = contact_scale(patch.grid, patch.pressure);
+  const double rows = std::min(scale.across / 0.2, scale.along / (0.64 * 0.5));
+  EXPECT_NEAR(error.edges,
+              error_by_edges * (law(rows) * rows * rows / 0.2231) *
+                  edge_error(contact_rows(patch.grid, patch.pressure)),
+              rounding);
+  EXPECT_GT(error.edges, 1e-4);
+  EXPECT_NEAR(error.total(), std::hypot(error.reducible(), error.edges), rounding);
+  EXPECT_NEAR(error.reducible(), error.elements + error.crest, rounding);
+  EXPECT_EQ(error.of_forces(), error.elements);
+  // With a second one that has equal edges, by its share of the load.
+  patch.normal_force = 1.0;
+  solution.patches.push_back(block_contact().patches.front());
+  solution.patches.back().normal_force = 3.0;
+  EXPECT_NEAR(estimate_error(solution, of_forces).edges, 0.25 * error.edges, rounding);
+  EXPECT_EQ(estimate_error(solution, {}).edges, error.edges);
+}
+
 TEST(Resolution, AKinkAddsAFirstOrderErrorToForces) {
   GridSolution solution = block_contact();
   solution.patches[0].undeformed_distance.assign(800, -0.05);
