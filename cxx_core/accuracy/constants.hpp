@@ -185,6 +185,13 @@ inline constexpr double force_error_by_mean = 0.4;
 /// depths and 98.5 % of the moments of 200 wheels.
 inline constexpr double depth_error_by_turn = 0.03;
 
+/// Likewise over the square of the angle of a kink inside the contact.
+/// origin: derived: the standard deviation of the surface's inclination is that of an evenly
+/// turning one with sqrt(5) times the turn (Hertz). Of 25 random scenes with kinks of 0.042 to 0.72
+/// rad planes differ from curves by up to 0.12 in the depth, and by up to 0.11 of the square in the
+/// moments of 23.
+inline constexpr double depth_error_by_kink = 5.0 * depth_error_by_turn;
+
 /// Error of a force at a prescribed position, over that of the depth at a prescribed load.
 /// origin: derived: a force goes with the power 1.5 of the depth (Hertz).
 inline constexpr double force_by_depth = 1.5;

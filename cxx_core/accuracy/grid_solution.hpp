@@ -28,12 +28,13 @@ struct Patch {
   std::vector<double> approach_shares; ///< with a load: of a vertical approach (rail_normals.hpp)
   std::vector<double> pressure;        ///< empty: not solved yet
   double normal_force = 0.0;           ///< sum of the pressures times the area of an element
-  ContactForce contact_force; ///< of the rail on the wheel; moment about the frame's origin
-  SurfaceTurn turn;           ///< of the rail under the pressures
-  double plane_error = 0.0;   ///< of its contact (model_error.hpp)
-  PressureRegion contact;     ///< all elements under pressure together
-  double peak_error = 0.0;    ///< of a peak from a section (peak_section.hpp), MPa
-  double ridge = 0.0;         ///< under its pressures (peak_section.hpp), rad
+  ContactForce contact_force;     ///< of the rail on the wheel; moment about the frame's origin
+  SurfaceTurn turn;               ///< of the rail under the pressures
+  double plane_error = 0.0;       ///< of its contact (model_error.hpp)
+  double plane_force_error = 0.0; ///< likewise, without that of the largest pressure
+  PressureRegion contact;         ///< all elements under pressure together
+  double peak_error = 0.0;        ///< of a peak from a section (peak_section.hpp), MPa
+  double ridge = 0.0;             ///< under its pressures (peak_section.hpp), rad
   double growth = 0.0;   ///< of the peak at that ridge with every element e times narrower, MPa
   std::size_t plane = 0; ///< patches of the same one are one contact
   double approach = 0.0; ///< deepest overlap of the undeformed bodies along the normal

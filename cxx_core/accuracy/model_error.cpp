@@ -42,6 +42,11 @@ double depth_error_of_plane(const SurfaceTurn& turn) {
          depth_error_on_curve * turn.of_rows() * turn.of_rows();
 }
 
+double depth_error_of_kink(const SurfaceTurn& turn, double ridge) {
+  const double from_rows = std::max(0.0, ridge - 2.0 * turn.of_rows());
+  return depth_error_by_kink * from_rows * from_rows;
+}
+
 double pressure_error_of_plane(const SurfaceTurn& turn) {
   return pressure_error_by_turn * turn.from_rows() * turn.from_rows() +
          pressure_error_on_curve * turn.of_rows() * turn.of_rows();
@@ -105,10 +110,12 @@ double estimate_model_error(GridSolution& solution, AccuracyOf accuracy_of,
   double pressures = 0.0;
   for (const PlanePatches& plane : solution.patches_by_plane(true)) {
     SurfaceTurn turn;
+    double ridge = 0.0;
     double of_plane = 0.0;
     for (const std::size_t k : plane.patches) {
       const Patch& patch = solution.patches[k];
       turn = combined_turn(turn, patch.turn);
+      ridge = std::max(ridge, patch.ridge);
       if (of_pressures) {
         const double error = pressure_error_of_plane(patch.turn);
         of_plane = std::max(of_plane, error);
@@ -117,9 +124,10 @@ double estimate_model_error(GridSolution& solution, AccuracyOf accuracy_of,
     }
     const double of_force =
         std::max(force_error_of_plane(turn, solution.patches[plane.patches.front()].frame.angle()),
-                 of_depth * depth_error_of_plane(turn));
+                 of_depth * (depth_error_of_plane(turn) + depth_error_of_kink(turn, ridge)));
     for (const std::size_t k : plane.patches) {
       solution.patches[k].plane_error = std::max(of_plane, of_force);
+      solution.patches[k].plane_force_error = of_force;
     }
     weighted += plane.normal_force * of_force;
     forces += plane.normal_force;

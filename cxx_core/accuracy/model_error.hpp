@@ -7,6 +7,8 @@
 /// and over its turn t, from one end of the contact to the other, for the depth and for moments
 /// over force and semi-axis
 ///   ddepth / depth <= 0.03 t^2,  dpmax / pmax <= 0.07 t^2.
+/// A contact that turns evenly by t has the standard deviation t/sqrt(20) of beta, one with a kink
+/// of alpha in its middle alpha/2, and so an error of 0.15 alpha^2.
 /// At a prescribed position the force is off instead of the depth, by 1.5 times as much (Hertz).
 /// Along a curve beta is the inclination to its rows, and t by how much the rail turns more or less
 /// than they do. The rows' own turn T leaves 0.01 T^2 of the depth and 0.02 T^2 of the pressure,
@@ -31,6 +33,8 @@ SurfaceTurn combined_turn(const SurfaceTurn& one, const SurfaceTurn& other);
 double force_error_of_plane(const SurfaceTurn& turn, double plane_angle);
 /// Error of its depth and moments, likewise.
 double depth_error_of_plane(const SurfaceTurn& turn);
+/// What a kink of a profile by the angle `ridge` inside the contact adds to that.
+double depth_error_of_kink(const SurfaceTurn& turn, double ridge);
 /// Error of the largest pressure of a patch, relative.
 double pressure_error_of_plane(const SurfaceTurn& turn);
 
@@ -47,7 +51,7 @@ double curve_share(double turn, double accuracy, AccuracyOf accuracy_of,
                    bool position_is_prescribed);
 
 /// Sets Patch::plane_error, patches of one plane alike: the greatest of those that the accuracy
-/// applies to. Returns the error of planes of the wheel.
+/// applies to, and Patch::plane_force_error. Returns the error of planes of the wheel.
 double estimate_model_error(GridSolution& solution, AccuracyOf accuracy_of,
                             bool position_is_prescribed = false);
 

@@ -271,7 +271,9 @@ CreepForces CreepProblem::take(RollingSolution solution, CreepResult& creep) con
     take_derivatives(solution, creep.derivatives.emplace());
   }
   take_facts(solution, creep);
-  creep.error_estimate = error_of_elements_ + creep_error_by_residual * solution.residual;
+  creep.error_estimate =
+      std::hypot(error_of_elements_ + creep_error_by_residual * solution.residual,
+                 task_.patch.plane_force_error);
   if (task_.motion.twist) {
     take_in_slip(task_, rows_, slip_, solution, creep);
   }

@@ -33,6 +33,14 @@ std::string edge_text(const Patch& patch) {
                                     "or the patch has just formed";
 }
 
+/// How to reduce the error of a plane. "auto" bends it by what the rail turns without kinks.
+std::string way_to_reduce(CurvedChoice curved, bool has_kink) {
+  if (curved == CurvedChoice::yes || (curved == CurvedChoice::by_accuracy && !has_kink)) {
+    return {};
+  }
+  return "; solve.curved = \"" + std::string(has_kink ? "yes" : "auto") + "\" reduces it";
+}
+
 /// Estimated error of the wheel over the accuracy; on a grid by hand that of the model alone.
 double excess_of(const WheelRequest& request, const WheelSolution& result) {
   const std::optional<double> error = request.grid ? result.model_error : result.error_estimate();
@@ -132,13 +140,14 @@ void warn_of_patches(const WheelRequest& request, WheelSolution& result) {
                  text_of(vertical_convention_limit) + "): use solve.gap = \"tangent\"");
       }
     } else if (patch.plane_error > request.accuracy) {
+      const bool has_kink = patch.ridge > patch.turn.range();
       warn(WarningClass::patch_turn,
-           "the rail turns by " + short_text_of(patch.turn.range()) +
+           (has_kink ? "a profile turns by " : "the rail turns by ") +
+               short_text_of(has_kink ? patch.ridge : patch.turn.range()) +
                " rad within a patch that is solved " +
                (patch.frame.curve ? "along a curve" : "as a plane") + ": estimated error " +
-               short_text_of(patch.plane_error) +
-               ", more than solve.accuracy = " + text_of(request.accuracy) +
-               (request.curved == CurvedChoice::no ? "; solve.curved = \"auto\" reduces it" : ""),
+               short_text_of(patch.plane_error) + ", more than solve.accuracy = " +
+               text_of(request.accuracy) + way_to_reduce(request.curved, has_kink),
            excess_of(request, result));
     }
   }

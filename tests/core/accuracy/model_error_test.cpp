@@ -45,9 +45,22 @@ TEST(ModelError, OfAWheelIsThatOfItsPatches) {
   // 0.07 of 0.16, of a pressure a quarter of the largest.
   EXPECT_NEAR(estimate_model_error(solution, AccuracyOf::pressures), 0.0112 / 4.0, 1e-12);
   EXPECT_NEAR(solution.patches[0].plane_error, 0.0112, 1e-12);
+  EXPECT_NEAR(solution.patches[0].plane_force_error, first, 1e-12);
   EXPECT_NEAR(solution.patches[1].plane_error, second, 1e-12);
   GridSolution nothing;
   EXPECT_EQ(estimate_model_error(nothing, AccuracyOf::forces), 0.0);
+}
+
+/// As much as one that turns evenly with the same deviation; along a curve that has the kink, none.
+TEST(ModelError, AKinkCountsByItsSquare) {
+  GridSolution solution;
+  solution.patches = {patch_with(1000.0, 500.0, {1.0, 0.0, 0.0, 0.0, 0.02})};
+  const double smooth = estimate_model_error(solution, AccuracyOf::forces);
+  EXPECT_NEAR(smooth, 0.03 * 4e-4, 1e-12);
+  solution.patches[0].ridge = 0.7;
+  EXPECT_NEAR(estimate_model_error(solution, AccuracyOf::forces), smooth + 0.15 * 0.49, 1e-12);
+  EXPECT_NEAR(solution.patches[0].plane_force_error, smooth + 0.15 * 0.49, 1e-12);
+  EXPECT_NEAR(depth_error_of_kink({1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.35}, 0.7), 0.0, 1e-12);
 }
 
 /// Force over pi E* times the distance, over the overlap, by 1.5; weighted with the forces.

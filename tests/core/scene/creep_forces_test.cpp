@@ -385,6 +385,27 @@ TEST(CreepForces, TwoPatchesOnTheFlangeAddUpToTheTotalForce) {
   EXPECT_NEAR(total.force.x, -expected.at("Fx_tr_N").get<double>(), 2e-3 * whole);
 }
 
+/// Under a gauge corner a plane is off by more than the elements are, and the estimate says so.
+TEST(CreepForces, EstimatesIncludeTheErrorOfPlanes) {
+  Scene scene = scene_at(6.0, moderate);
+  scene.side = SideChoice::left;
+  scene.slip = SlipVariation::by_element;
+  scene.curved = CurvedChoice::no;
+  const SceneWheel plane = solve_scene(scene).left.value();
+  scene.curved = CurvedChoice::yes;
+  const SceneWheel curve = solve_scene(scene).left.value();
+  const PatchResult& patch = plane.patches.at(0);
+  const CreepResult& one = patch.creep.value();
+  const CreepResult& other = curve.patches.at(0).creep.value();
+  const double error = std::hypot(one.longitudinal_force - other.longitudinal_force,
+                                  one.lateral_force - other.lateral_force) /
+                       (one.friction * patch.normal_force);
+  EXPECT_GT(patch.plane_error, scene.accuracy);
+  EXPECT_GT(*one.error_estimate, patch.plane_error);
+  EXPECT_LT(error, *one.error_estimate);
+  EXPECT_LT(*other.error_estimate, *one.error_estimate);
+}
+
 // No accuracy takes memory without bound; what is not reached is told.
 TEST(CreepForces, GridsAreBounded) {
   Scene scene = scene_at(6.5, {}, 1e-5);
