@@ -9,6 +9,7 @@
 #include "creep/constants.hpp"
 #include "creep/creep_elements.hpp"
 #include "creep/elastic_history.hpp"
+#include "pressure/moved_load.hpp"
 #include "pressure/smooth_pressure.hpp"
 
 namespace wrc {
@@ -80,6 +81,17 @@ SlipField sum(SlipField slip, const SlipByPressures& added, const PatchMotion& m
     slip.y[i] += part * added.y[i];
   }
   return slip;
+}
+
+/// Error of creep forces by the elements of pressures, where the gap bends.
+double error_of_bend(const PatchResult& patch, const SmoothPressure& pressure) {
+  if (!(patch.bend > 0.0)) {
+    return 0.0;
+  }
+  const PressureRegion& contact = patch.contact;
+  return patch.bend *
+         moved_load(patch.grid, patch.pressure, pressure, contact.centroid_longitudinal,
+                    std::sqrt(contact.semi_axis_longitudinal * contact.semi_axis_lateral));
 }
 
 /// By position; `now`: in the rolling frame, on `grid` of the patch's plane.
@@ -250,7 +262,8 @@ CreepProblem::CreepProblem(const PatchTask& task, LinePlans& plans, CreepResult&
       (motion.step_length > 0.0 ? step_iteration_share : creep_iteration_share) *
       (chosen.limited ? std::max(request.accuracy, std::min(error_of_elements_, coarsest_accuracy))
                       : request.accuracy);
-  error_of_elements_ = std::max(error_of_elements_, misplaced);
+  error_of_elements_ =
+      std::max(std::hypot(error_of_elements_, error_of_bend(patch, pressure)), misplaced);
   problem_.derivatives = request.derivatives;
 }
 

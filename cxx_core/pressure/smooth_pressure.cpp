@@ -74,6 +74,27 @@ double share_by_mean(double mean) {
   return 0.5 * (low + high);
 }
 
+/// What half of an element adds to its mean pressure and to the fraction of it in contact.
+struct HalfElement {
+  double mean = 0.0;
+  double covered = 0.0;
+};
+
+/// Between two values of p^2, where it is linear.
+HalfElement half_element(double before, double after) {
+  const double high = std::max(before, after);
+  const double low = std::min(before, after);
+  if (!(high > 0.0)) {
+    return {};
+  }
+  const double share = low < 0.0 ? high / (high - low) : 1.0;
+  const double p_high = std::sqrt(high);
+  const double p_low = std::sqrt(std::max(low, 0.0));
+  // The mean of the square root of a linear function.
+  const double mean = 2.0 / 3.0 * (high + p_high * p_low + p_low * p_low) / (p_high + p_low);
+  return {0.5 * share * mean, 0.5 * share};
+}
+
 /// The elements under pressure with those next to them; without any the first element.
 IndexBox around_contact(const Grid& grid, std::span<const double> pressure) {
   IndexBox box{grid.lateral_count, 0, grid.longitudinal_count, 0};
@@ -331,6 +352,27 @@ std::optional<SmoothPressure::Extent> SmoothPressure::lateral_extent() const {
   return result;
 }
 
+/// On each row p^2 is known at the centres, and halfway between them by the cubic weights.
+SmoothPressure::Columns SmoothPressure::own_columns() const {
+  const std::size_t columns = grid_.longitudinal_count;
+  Columns result{grid_.longitudinal_first, std::vector<double>(columns)};
+  const std::array<double, 4> halfway = cubic_weights(0.5);
+  for (std::size_t row = 0; row < grid_.lateral_count; ++row) {
+    for (std::size_t j = 1; j + 2 < columns; ++j) {
+      const double* squares = &squares_[row * columns + j];
+      const double* known = &known_[row * columns + j];
+      if (!(known[0] > 0.0 && known[1] > 0.0)) {
+        continue;
+      }
+      const double between = halfway[0] * squares[-1] + halfway[1] * squares[0] +
+                             halfway[2] * squares[1] + halfway[3] * squares[2];
+      result.sums[j] += half_element(squares[0], between).mean;
+      result.sums[j + 1] += half_element(between, squares[1]).mean;
+    }
+  }
+  return result;
+}
+
 /// Positions along the rolling direction are the same for all lines.
 class SmoothPressure::Line {
 public:
@@ -432,20 +474,10 @@ void SmoothPressure::fill_means(const Grid& other, std::vector<double>& pressure
     double before = line.square(0);
     for (std::size_t j = 0; j < 2 * columns; ++j) {
       const double after = line.square(j + 1);
-      const double high = std::max(before, after);
-      const double low = std::min(before, after);
+      const HalfElement half = half_element(before, after);
       before = after;
-      if (!(high > 0.0)) {
-        continue;
-      }
-      const std::size_t at = i * columns + j / 2;
-      const double share = low < 0.0 ? high / (high - low) : 1.0;
-      const double p_high = std::sqrt(high);
-      const double p_low = std::sqrt(std::max(low, 0.0));
-      // The mean of the square root of a linear function.
-      const double mean = 2.0 / 3.0 * (high + p_high * p_low + p_low * p_low) / (p_high + p_low);
-      pressure[at] += 0.5 * share * mean;
-      covered[at] += 0.5 * share;
+      pressure[i * columns + j / 2] += half.mean;
+      covered[i * columns + j / 2] += half.covered;
     }
   }
 }

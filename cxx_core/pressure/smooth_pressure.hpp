@@ -54,6 +54,13 @@ public:
   void fill_means(const Grid& other, std::vector<double>& pressure,
                   std::vector<double>& covered) const;
 
+  /// Sums of the means over its own elements, of the column at the position `first` and the next.
+  struct Columns {
+    double first = 0.0;
+    std::vector<double> sums;
+  };
+  [[nodiscard]] Columns own_columns() const;
+
 private:
   /// p^2 at positions along the rolling direction, on the line at a lateral position; outside the
   /// contact negative, minus infinity where nothing is filled in.

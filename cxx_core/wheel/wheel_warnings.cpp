@@ -33,7 +33,7 @@ std::string edge_text(const Patch& patch) {
                                     "or the patch has just formed";
 }
 
-/// How to reduce the error of a plane. "auto" bends it by what the rail turns without kinks.
+/// How to reduce the error of a plane. "auto" does not see kinks.
 std::string way_to_reduce(CurvedChoice curved, bool has_kink) {
   if (curved == CurvedChoice::yes || (curved == CurvedChoice::by_accuracy && !has_kink)) {
     return {};
