@@ -91,7 +91,7 @@ TEST_F(BentContact, CreepForcesAtTheEndsOfAFlatMeetTheAccuracy) {
 
 /// By how much load the pressures between the elements move: the law of elements and what the
 /// iteration leaves are at most 0.72 of the accuracy.
-TEST_F(BentContact, EstimatesOfCreepForcesKnowOfLoadThatIsMoved) {
+TEST_F(BentContact, EstimatesOfCreepForcesIncludeMovedLoad) {
   constexpr double accuracy = 1e-2;
   const WheelResult wheel =
       solved(at(wheel_with_chord(), {-0.05, 1.5, 80e3}), accuracy, AccuracyOf::forces);
