@@ -6,7 +6,7 @@ build_packages=(
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libgtest-dev
   gnuplot-nox fonts-dejavu-core
   libnetcdf-dev libssl-dev libopenmpi-dev openmpi-bin
-  python3-numpy python3-scipy python3-cffi
+  python3-numpy python3-scipy python3-cffi python3-pycparser
   python3-xarray python3-matplotlib python3-pytest python3-pip python3-setuptools python3-wheel python3-venv
 )
 # Beyond that, for what CI checks.
