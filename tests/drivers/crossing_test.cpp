@@ -108,7 +108,8 @@ TEST_F(Crossing, PageLeavesOutWhatHasNoBound) {
 /// Results know the slices that they depend on.
 TEST_F(Crossing, SlicesAreInputs) {
   std::filesystem::create_directories(folder() / "own");
-  for (const auto& file : std::filesystem::directory_iterator(WRC_STUDIES "/crossing")) {
+  const std::filesystem::path shipped = std::filesystem::path(WRC_CROSSING).parent_path();
+  for (const auto& file : std::filesystem::directory_iterator(shipped)) {
     std::filesystem::copy_file(file.path(), folder() / "own" / file.path().filename());
   }
   write("s.toml", "[track]\nleft.rail = 'own/crossing.slcs'\n[pose]\nlongitudinal = [0, 10]\n"

@@ -50,8 +50,8 @@ TEST_F(CasePictures, TheAngleIsThatOfTheForceAsInTheTable) {
 /// The first touch is on the wing at y = 803 mm, the second patch on the nose at y = 725 mm.
 TEST_F(CasePictures, ThePatchesOnWingAndNoseAreInTheFrame) {
   NEEDS_GNUPLOT();
-  const std::string svg = drawn("--set track.left.rail=" + std::string(WRC_STUDIES) +
-                                "/crossing/crossing.slcs pose.longitudinal=180");
+  const std::string svg =
+      drawn("--set track.left.rail=" + std::string(WRC_CROSSING) + " pose.longitudinal=180");
   expect_parts(svg, {"patch 0: ", "patch 1: "});
   for (const char* tick : {"820", "800", "740", "720"}) {
     EXPECT_GE(ticks_of(svg, tick), 1U) << tick;

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import wrcontact
-from conftest import PROJECT
+from conftest import BUILD, PROJECT
 
 
 def test_a_scene_is_pickled_and_copied_by_value():
@@ -113,7 +113,7 @@ def test_panels_are_drawn_on_axes_of_the_caller():
 def test_outlines_hold_all_patches():
     """On wing and nose of a crossing, 78 mm apart, in both frames."""
     figure_module = pytest.importorskip("matplotlib.figure")
-    rail = str(PROJECT / "drivers/studies/crossing/crossing.slcs")
+    rail = str(BUILD / "share/wrcontact/studies/crossing/crossing.slcs")
     for frame in ("left-up", "right-down"):
         scene = wrcontact.Scene(accuracy=1e-2, side="left", longitudinal=180, frame=frame)
         scene["track.left.rail"] = rail
@@ -143,7 +143,7 @@ def test_the_notebook_of_the_examples_runs(tmp_path, monkeypatch):
 def test_a_contact_that_the_end_of_a_rail_cuts_is_drawn():
     figure_module = pytest.importorskip("matplotlib.figure")
     scene = wrcontact.Scene(accuracy=1e-2, side="left", longitudinal=999)
-    scene["track.left.rail"] = str(PROJECT / "drivers/studies/crossing/crossing.slcs")
+    scene["track.left.rail"] = str(BUILD / "share/wrcontact/studies/crossing/crossing.slcs")
     with pytest.warns(wrcontact.ContactWarning, match="no bound"):
         result = scene.solve()
     axes = figure_module.Figure().subplots()
