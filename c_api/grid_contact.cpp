@@ -16,7 +16,7 @@ void refuse_word(const std::string& key, const std::string& text,
                  const std::vector<std::string>& words) {
   std::string allowed;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    const char* between = i == 0 ? "allowed is " : (i + 1 == words.size() ? " or " : ", ");
+    const char* between = i == 0 ? "must be " : (i + 1 == words.size() ? " or " : ", ");
     allowed += between + ('"' + words[i] + '"');
   }
   throw_invalid_argument(key, '"' + text + '"', allowed);
@@ -38,7 +38,7 @@ std::vector<double> copied(const char* name, const double* values, std::int64_t 
                            bool (*permitted)(double), const char* allowed) {
   require_pointer(values, name);
   if (count < 1 || count > static_cast<std::int64_t>(maximum_element_count)) {
-    throw_invalid_argument("count", std::to_string(count), "allowed is 1 to 2^26");
+    throw_invalid_argument("count", std::to_string(count), "must be between 1 and 2^26");
   }
   const double* end = values + count;
   const double* wrong = std::find_if_not(values, end, permitted);

@@ -84,7 +84,7 @@ void require_list(const void* pointer, const char* name, std::int64_t count) {
   constexpr std::int64_t most = std::int64_t{1} << 20;
   if (count < 0 || count > most) {
     throw_invalid_argument("count", std::to_string(count),
-                           "allowed is 0 to " + std::to_string(most));
+                           "must be between 0 and " + std::to_string(most));
   }
   if (count > 0) {
     require_pointer(pointer, name);

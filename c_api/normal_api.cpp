@@ -21,22 +21,22 @@ constexpr const char* normal_contact = "normal contact";
 /// The tolerance from what double precision reaches on any grid (docs/stability.md) on; that of
 /// solve.tolerance too.
 constexpr auto normal_number_keys = std::to_array<wrc::NumberKey<NormalProblem>>({
-    {"combined_modulus", 1e-30, 1e30, "allowed is 1e-30 to 1e30 MPa",
+    {"combined_modulus", 1e-30, 1e30, "must be between 1e-30 and 1e30 MPa",
      [](NormalProblem& problem, double value) { problem.combined_modulus = value; }},
-    {"normal_load", 1e-60, 1e60, "allowed is 0, or 1e-60 to 1e60 N",
+    {"normal_load", 1e-60, 1e60, "must be 0, or 1e-60 to 1e60 N",
      [](NormalProblem& problem, double value) {
        problem.load = value;
        problem.approach.reset();
      },
      false, true},
-    {"approach", -1e60, 1e60, "allowed is -1e60 to 1e60 mm",
+    {"approach", -1e60, 1e60, "must be between -1e60 and 1e60 mm",
      [](NormalProblem& problem, double value) {
        problem.approach = value;
        problem.load.reset();
      }},
-    {"tolerance", 1e-13, 0.1, "allowed is 1e-13 to 0.1",
+    {"tolerance", 1e-13, 0.1, "must be between 1e-13 and 0.1",
      [](NormalProblem& problem, double value) { problem.tolerance = value; }},
-    {"maximum_iterations", 1.0, wrc::most_iterations, "allowed is a whole number, 1 to 1e9",
+    {"maximum_iterations", 1.0, wrc::most_iterations, "must be a whole number, 1 to 1e9",
      [](NormalProblem& problem, double value) {
        problem.maximum_iterations = static_cast<int>(value);
      },

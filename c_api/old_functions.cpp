@@ -35,10 +35,10 @@ wrc_status wrc_measure_transform(int64_t rows, int64_t columns, int32_t repeats,
     if (rows < 1 || columns < 1 || rows > most_values || columns > most_values / rows) {
       wrc::throw_invalid_argument("rows x columns",
                                   std::to_string(rows) + " x " + std::to_string(columns),
-                                  "allowed is 1 to 2^28 values");
+                                  "must be between 1 and 2^28 values");
     }
     if (repeats < 1 || repeats > most_repeats) {
-      wrc::throw_invalid_argument("repeats", repeats, "allowed is 1 to 1000");
+      wrc::throw_invalid_argument("repeats", repeats, "must be between 1 and 1000");
     }
     *median_ms = wrc::measure_transform(static_cast<std::size_t>(rows),
                                         static_cast<std::size_t>(columns), repeats);

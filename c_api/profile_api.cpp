@@ -22,7 +22,7 @@ template <class Body> wrc_status with_profile(wrc_profile* profile, Body&& body)
 
 std::optional<bool> choice_of(std::int32_t value, const char* name) {
   if (value < -1 || value > 1) {
-    wrc::throw_invalid_argument(name, value, "allowed are -1, 0 and 1");
+    wrc::throw_invalid_argument(name, value, "must be -1, 0 or 1");
   }
   return value == 0 ? std::nullopt : std::optional(value == 1);
 }
@@ -40,7 +40,7 @@ wrc::ReadOptions options_from(const wrc_read_options* given) {
   std::memcpy(&known, given, std::min<std::size_t>(given->struct_size, sizeof known));
   if (known.kind_given != 0) {
     if (known.kind != WRC_WHEEL && known.kind != WRC_RAIL) {
-      wrc::throw_invalid_argument("kind", known.kind, "allowed are WRC_WHEEL and WRC_RAIL");
+      wrc::throw_invalid_argument("kind", known.kind, "must be WRC_WHEEL or WRC_RAIL");
     }
     options.kind = known.kind == WRC_WHEEL ? wrc::ProfileKind::wheel : wrc::ProfileKind::rail;
   }
@@ -56,13 +56,13 @@ wrc::ReadOptions options_from(const wrc_read_options* given) {
     options.smoothing_wavelength = wrc::automatic_smoothing;
   } else if (known.smoothing_wavelength < 0.0) {
     wrc::throw_invalid_argument("smoothing_wavelength", known.smoothing_wavelength,
-                                "allowed are 0, a wavelength in mm and WRC_SMOOTHING_...");
+                                "must be 0, a wavelength in mm or WRC_SMOOTHING_...");
   } else if (known.smoothing_wavelength != 0.0) {
     options.smoothing_wavelength = known.smoothing_wavelength;
   }
   if (known.origin < 0 || known.origin > WRC_ORIGIN_FLANGE_BACK) {
     wrc::throw_invalid_argument("origin", known.origin,
-                                "allowed are 0, WRC_ORIGIN_TAPE and WRC_ORIGIN_FLANGE_BACK");
+                                "must be 0, WRC_ORIGIN_TAPE or WRC_ORIGIN_FLANGE_BACK");
   }
   options.origin = static_cast<wrc::WheelOrigin>(known.origin);
   options.slice = known.slice;
@@ -148,7 +148,7 @@ wrc_status wrc_profile_set_points(wrc_profile* profile, const char* name, const 
     constexpr auto most = static_cast<int64_t>(wrc::ReadLimits::max_points);
     if (count < 1 || count > most) {
       wrc::throw_invalid_argument("count", std::to_string(count),
-                                  "allowed is 1 to " + std::to_string(most));
+                                  "must be between 1 and " + std::to_string(most));
     }
     const wrc::ReadOptions given = options_from(options);
     if (!given.kind) {
@@ -220,8 +220,7 @@ wrc_status wrc_profile_points(wrc_profile* profile, int32_t which, double* later
                               int64_t capacity, int64_t* count) {
   return with_profile(profile, [&](wrc::ProfileObject& object, const wrc::Profile&) {
     if (which != WRC_POINTS_READ && which != WRC_POINTS_DROPPED) {
-      wrc::throw_invalid_argument("which", which,
-                                  "allowed are WRC_POINTS_READ and WRC_POINTS_DROPPED");
+      wrc::throw_invalid_argument("which", which, "must be WRC_POINTS_READ or WRC_POINTS_DROPPED");
     }
     const std::vector<wrc::Position>& points =
         which == WRC_POINTS_READ ? object.read.measured : object.read.dropped;
@@ -272,11 +271,11 @@ wrc_status wrc_profile_surface_at(wrc_profile* profile, int64_t sheet, double ac
     const auto count = static_cast<std::int64_t>(object.surface->sheets().size());
     if (sheet < 0 || sheet >= count) {
       wrc::throw_invalid_argument("sheet", static_cast<double>(sheet),
-                                  "allowed are 0 to " + std::to_string(count - 1));
+                                  "must be between 0 and " + std::to_string(count - 1));
     }
     for (const double share : {across, along}) {
       if (!(share >= 0.0 && share <= 1.0)) {
-        wrc::throw_invalid_argument("across or along", share, "allowed are 0 to 1");
+        wrc::throw_invalid_argument("across or along", share, "must be between 0 and 1");
       }
     }
     const wrc::SurfaceSheet& of = object.surface->sheets()[static_cast<std::size_t>(sheet)];

@@ -51,7 +51,7 @@ double number_by_id(wrc::SceneObject& scene, const int32_t* ids, std::size_t pla
   const auto id = wrc::unpack(ids[place]);
   if (!id) {
     wrc::throw_invalid_argument("ids[" + std::to_string(place) + ']', ids[place],
-                                "allowed are ids of wrc_scene_number_id");
+                                "must be an id of wrc_scene_number_id");
   }
   return wrc::number_value(*scene.result, *id, scene.scene.convention);
 }

@@ -20,25 +20,25 @@ constexpr double largest_pressure = 1e30;
 constexpr double largest_slip = 1e30;
 
 constexpr auto rolling_number_keys = std::to_array<wrc::NumberKey<RollingProblem>>({
-    {"shear_modulus", 1e-30, 1e30, "allowed is 1e-30 to 1e30 MPa",
+    {"shear_modulus", 1e-30, 1e30, "must be between 1e-30 and 1e30 MPa",
      [](RollingProblem& problem, double value) { problem.shear_modulus = value; }},
-    {"poisson", 0.0, 0.5, "allowed is 0 to 0.5",
+    {"poisson", 0.0, 0.5, "must be between 0 and 0.5",
      [](RollingProblem& problem, double value) { problem.poisson = value; }},
-    {"difference_parameter", -0.5, 0.5, "allowed is -0.5 to 0.5",
+    {"difference_parameter", -0.5, 0.5, "must be between -0.5 and 0.5",
      [](RollingProblem& problem, double value) { problem.difference_parameter = value; }},
-    {"friction", 0.0, 1e3, "allowed is 0 to 1e3",
+    {"friction", 0.0, 1e3, "must be between 0 and 1e3",
      [](RollingProblem& problem, double value) { problem.friction = value; }},
-    {"longitudinal_creepage", -1e30, 1e30, "allowed is -1e30 to 1e30",
+    {"longitudinal_creepage", -1e30, 1e30, "must be between -1e30 and 1e30",
      [](RollingProblem& problem, double value) { problem.creepages.longitudinal = value; }},
-    {"lateral_creepage", -1e30, 1e30, "allowed is -1e30 to 1e30",
+    {"lateral_creepage", -1e30, 1e30, "must be between -1e30 and 1e30",
      [](RollingProblem& problem, double value) { problem.creepages.lateral = value; }},
-    {"spin_creepage", -1e30, 1e30, "allowed is -1e30 to 1e30 1/mm",
+    {"spin_creepage", -1e30, 1e30, "must be between -1e30 and 1e30 1/mm",
      [](RollingProblem& problem, double value) { problem.creepages.spin = value; }},
-    {"tolerance", 1e-10, 0.1, "allowed is 1e-10 to 0.1",
+    {"tolerance", 1e-10, 0.1, "must be between 1e-10 and 0.1",
      [](RollingProblem& problem, double value) { problem.tolerance = value; }},
-    {"derivatives", 0.0, 1.0, "allowed is 0 or 1",
+    {"derivatives", 0.0, 1.0, "must be 0 or 1",
      [](RollingProblem& problem, double value) { problem.derivatives = value != 0.0; }, true},
-    {"maximum_iterations", 1.0, wrc::most_iterations, "allowed is a whole number, 1 to 1e9",
+    {"maximum_iterations", 1.0, wrc::most_iterations, "must be a whole number, 1 to 1e9",
      [](RollingProblem& problem, double value) {
        problem.maximum_iterations = static_cast<int>(value);
      },
@@ -155,7 +155,7 @@ wrc_status wrc_rolling_set_pressure(wrc_rolling* rolling, const double* values, 
   return wrc::guard(rolling, [&](RollingObject& object) {
     object.pressure = wrc::copied(
         "values", values, count, [](double p) { return p >= 0.0 && p <= largest_pressure; },
-        "allowed is 0 to 1e30 MPa");
+        "must be between 0 and 1e30 MPa");
     return WRC_OK;
   });
 }
@@ -167,7 +167,7 @@ wrc_status wrc_rolling_set_slip(wrc_rolling* rolling, const double* slip_x, cons
     std::vector<double> y;
     if (count != 0) {
       const auto permitted = [](double slip) { return std::abs(slip) <= largest_slip; };
-      const char* allowed = "allowed is -1e30 to 1e30";
+      const char* allowed = "must be between -1e30 and 1e30";
       x = wrc::copied("slip_x", slip_x, count, permitted, allowed);
       y = wrc::copied("slip_y", slip_y, count, permitted, allowed);
     }
@@ -184,7 +184,7 @@ wrc_status wrc_rolling_set_previous(wrc_rolling* rolling, const double* traction
     std::vector<double> previous_y;
     if (count != 0) {
       const auto permitted = [](double q) { return std::abs(q) <= largest_pressure; };
-      const char* allowed = "allowed is -1e30 to 1e30 MPa";
+      const char* allowed = "must be between -1e30 and 1e30 MPa";
       previous_x = wrc::copied("traction_x", traction_x, count, permitted, allowed);
       previous_y = wrc::copied("traction_y", traction_y, count, permitted, allowed);
     }

@@ -357,7 +357,7 @@ wrc_status wrc_solver_creep(wrc_solver* solver, wrc_scene* scene, int64_t patch,
       }
       if (patch < 0) {
         wrc::throw_invalid_argument("patch (counted from 0)", static_cast<double>(patch),
-                                    "allowed are the patches of the result");
+                                    "must be a patch of the result");
       }
       const wrc::PatchCreep creep = wrc::creep_of(
           solved.scene, *solved.result, static_cast<std::size_t>(patch),

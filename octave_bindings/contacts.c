@@ -176,7 +176,7 @@ void profile(int result_count, mxArray** result, int count, const mxArray* const
   int32_t kind = 0;
   (void)result_count;
   if (!(points >= 2.0 && points <= 1e7)) {
-    refuse(WRC_INVALID_ARGUMENT, "points: allowed is 2 to 1e7");
+    refuse(WRC_INVALID_ARGUMENT, "points: must be between 2 and 1e7");
   }
   check_profile(wrc_profile_create(&open_handles.profile));
   if (wrc_profile_load_standard(open_handles.profile, name) != WRC_OK) {

@@ -97,7 +97,7 @@ void make_scenes(int count, const mxArray* const* values, struct options* option
     } else if (strcmp(key, "threads") == 0) {
       const double threads = *numbers_of(values[k + 1], key, 1);
       if (!(threads >= 1.0 && threads <= 1024.0) || threads != floor(threads)) {
-        refuse(WRC_INVALID_ARGUMENT, "threads: allowed is a whole number from 1 to 1024");
+        refuse(WRC_INVALID_ARGUMENT, "threads: must be a whole number from 1 to 1024");
       }
       options->threads = (int32_t)threads;
     } else {

@@ -60,7 +60,7 @@ char* text_of(const mxArray* value, const char* what) {
   char* text = value != NULL && mxIsChar(value) ? mxArrayToString(value) : NULL;
   if (text == NULL) {
     char message[200];
-    snprintf(message, sizeof message, "%.100s: allowed is a text", what);
+    snprintf(message, sizeof message, "%.100s: must be a text", what);
     refuse(WRC_INVALID_ARGUMENT, message);
   }
   return text;
@@ -71,8 +71,8 @@ const double* numbers_of(const mxArray* value, const char* what, size_t count) {
       (count > 0 && mxGetNumberOfElements(value) != count)) {
     char message[200];
     snprintf(message, sizeof message,
-             count > 0 ? "%.100s: allowed are %d real numbers (double)"
-                       : "%.100s: allowed are real numbers (double)",
+             count > 0 ? "%.100s: must be %d real numbers (double)"
+                       : "%.100s: must be real numbers (double)",
              what, (int)count);
     refuse(WRC_INVALID_ARGUMENT, message);
   }
@@ -115,9 +115,8 @@ static struct wheelset** find_wheelset(int count, const mxArray* const* values) 
     place = &(*place)->next;
   }
   if (*place == NULL) {
-    refuse(WRC_INVALID_ARGUMENT,
-           "wheelset: allowed is a number that wrc_step('open', ...) gave and "
-           "that has not been closed");
+    refuse(WRC_INVALID_ARGUMENT, "wheelset: must be a number that wrc_step('open', ...) gave and "
+                                 "that has not been closed");
   }
   return place;
 }
@@ -131,7 +130,7 @@ static void open_wheelset(mxArray** result, int count, const mxArray* const* val
     const int out_of_memory = open_handles.scene_count == 1;
     free(wheelset);
     refuse(out_of_memory ? WRC_OUT_OF_MEMORY : WRC_INVALID_ARGUMENT,
-           out_of_memory ? "out of memory" : "scene: allowed is one scene for each wheelset");
+           out_of_memory ? "out of memory" : "scene: must be one scene for each wheelset");
   }
   wheelset->scene = open_handles.scenes[0];
   last_number = last_number > 0.0 ? last_number + 1.0 : 1e3 * (double)time(NULL);

@@ -322,7 +322,7 @@ def check_tables(update):
 
 def main():
     if sys.argv[1:] not in ([], ["--update"]):
-        print(f"scripts/check_docs.py {' '.join(sys.argv[1:])}: allowed is --update or nothing",
+        print(f"scripts/check_docs.py {' '.join(sys.argv[1:])}: must be --update or nothing",
               file=sys.stderr)
         return 2
     check_tables(update=bool(sys.argv[1:]))

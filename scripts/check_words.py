@@ -50,6 +50,7 @@ WORDS = [
     (r"\bto tell (?:apart|from)\b|\btells? apart\b|\btold from\b", "distinguish"),
     (r"\bhas? to give\b", "allows"),
     (r"\bwill do\b", "suffices"),
+    (r"\ballowed (?:is|are)\b(?! read)", "must be"),
 ]
 NAMES = [
     (r"\b(?:is|are) said\b|\bsays? so\b", "is reported, warns"),

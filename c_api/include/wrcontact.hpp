@@ -213,8 +213,7 @@ public:
   }
   void set(const std::string& key, const std::string& value) {
     if (value.find('\0') != std::string::npos) { // C would not read on
-      throw Error(WRC_INVALID_ARGUMENT,
-                  key + ": the text has a zero byte; allowed are those without");
+      throw Error(WRC_INVALID_ARGUMENT, key + ": the text has a zero byte; it must have none");
     }
     check(wrc_scene_set_text(handle(), key.c_str(), value.c_str()));
   }

@@ -29,4 +29,19 @@ void throw_invalid_argument(const std::string& argument, const std::string& valu
   throw Error(ErrorCode::invalid_argument, argument + " = " + value + ": " + allowed);
 }
 
+std::string must_be(std::string_view permitted) {
+  constexpr std::string_view between = " to ";
+  const auto is_number = [](std::string_view text) {
+    double value = 0.0;
+    return std::from_chars(text.data(), text.data() + text.size(), value).ptr ==
+           text.data() + text.size();
+  };
+  const std::size_t middle = permitted.find(between);
+  if (middle == std::string_view::npos || !is_number(permitted.substr(0, middle))) {
+    return "must be " + std::string(permitted);
+  }
+  return "must be between " + std::string(permitted.substr(0, middle)) + " and " +
+         std::string(permitted.substr(middle + between.size()));
+}
+
 } // namespace wrc

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace wrc {
 
@@ -35,6 +36,9 @@ private:
                                          const std::string& allowed);
 [[noreturn]] void throw_invalid_argument(const std::string& argument, const std::string& value,
                                          const std::string& allowed);
+
+/// What a value must be, for such a text: of "1 to 30 mm" it is "must be between 1 and 30 mm".
+std::string must_be(std::string_view permitted);
 
 /// Shortest text that reads back as the same double.
 std::string text_of(double value);

@@ -35,7 +35,7 @@ PlaneStress line_contact(double x, double z, double friction) {
 
 ShakedownLimits shakedown_limits(double friction) {
   if (!(friction >= 0.0 && friction <= map_friction)) {
-    throw_invalid_argument("friction", friction, "must be 0 to 2");
+    throw_invalid_argument("friction", friction, "must be between 0 and 2");
   }
   double invariant = 0.0;
   double shear = friction; // on the surface

@@ -284,7 +284,7 @@ void throw_off_the_rail(const Pose& pose, const std::string& hint) {
               "pose.lateral = " +
                   text_of(pose.lateral) + " mm, roll " + short_text_of(pose.roll) +
                   " rad (as for a left wheel; opposite signs for a right one); "
-                  "allowed are displacements and rolls at which the wheel lies over the rail; "
+                  "displacement and roll must be such that the wheel lies over the rail; "
                   "they depend on track.gauge and wheelset.back_to_back" +
                   hint);
 }

@@ -166,7 +166,7 @@ public:
                     " rad brings both wheels onto the rails at pose.lateral = " +
                     text_of(lateral_) + " mm, pose.yaw = " + text_of(yaw_) + " rad" +
                     (off_the_rail ? ": a wheel leaves its rail before the other one touches" : "") +
-                    "; allowed are positions at which both wheels can stand on their rails");
+                    "; both wheels must be able to stand on their rails");
   }
 
 private:

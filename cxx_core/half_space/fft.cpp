@@ -72,7 +72,7 @@ unsigned flags_of(PlannerRigor rigor) {
 void check_length(std::size_t length) {
   constexpr auto longest = static_cast<std::size_t>(std::numeric_limits<int>::max());
   if (length < 1 || length > longest) {
-    throw_invalid_argument("length", static_cast<double>(length), "must lie in 1 to 2^31 - 1");
+    throw_invalid_argument("length", static_cast<double>(length), "must be between 1 and 2^31 - 1");
   }
 }
 
@@ -217,7 +217,7 @@ constexpr const char* single_precision_mark = "single precision\n";
 void set_planner_lock(const PlannerLock& host_lock) {
   if ((host_lock.lock == nullptr) != (host_lock.unlock == nullptr)) {
     throw_invalid_argument("planner lock", "only one of lock and unlock",
-                           "allowed are both functions or neither");
+                           "must be both functions or neither");
   }
   planner().set_host_lock(host_lock);
 }

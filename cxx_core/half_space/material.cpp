@@ -24,7 +24,7 @@ double compliance(const Material& material, const std::string& body) {
                            "must be finite and greater than 0");
   }
   if (!(material.poisson >= 0.0 && material.poisson <= 0.5)) {
-    throw_invalid_argument(body + ".poisson", material.poisson, "must lie in 0 to 0.5");
+    throw_invalid_argument(body + ".poisson", material.poisson, "must be between 0 and 0.5");
   }
   return (1.0 - material.poisson * material.poisson) / material.youngs_modulus;
 }

@@ -54,7 +54,7 @@ const Key& find_key(std::string_view name) {
 
 [[noreturn]] void refuse(const Key& key, const std::string& value) {
   throw_invalid_argument(std::string(key.description.name), value,
-                         "allowed is " + std::string(key.description.allowed));
+                         must_be(key.description.allowed));
 }
 
 /// The number that a text is, or none.
@@ -112,7 +112,7 @@ std::optional<std::string> allowed_for(const Key& key, const Convention& convent
   throw_invalid_argument(
       std::string(key.description.name), text,
       (number_of(value) ? "a text; write the number without quotes; " : "not a number; ") +
-          ("allowed is " + theirs.value_or(std::string(key.description.allowed))));
+          must_be(theirs.value_or(std::string(key.description.allowed))));
 }
 
 /// Permitted ranges are declared in mm, y left, z up, and stated as the value was given.
@@ -122,8 +122,7 @@ std::optional<std::string> allowed_for(const Key& key, const Convention& convent
     refuse(key, text_of(given));
   }
   if (const std::optional<std::string> allowed = allowed_for(key, convention)) {
-    throw_invalid_argument(std::string(key.description.name), text_of(given),
-                           "allowed is " + *allowed);
+    throw_invalid_argument(std::string(key.description.name), text_of(given), must_be(*allowed));
   }
   refuse(key, text_of(given) + " (in mm, N, MPa, y left, z up: " + text_of(inside) + ')');
 }
@@ -187,7 +186,7 @@ void set_numbers_by_id(Scene& scene, std::span<const std::int32_t> ids,
   };
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (ids[i] < 0 || static_cast<std::size_t>(ids[i]) >= all.size()) {
-      throw_invalid_argument("ids[" + std::to_string(i) + ']', ids[i], "allowed are ids of keys");
+      throw_invalid_argument("ids[" + std::to_string(i) + ']', ids[i], "must be the id of a key");
     }
     checked_number(key_of(i), scene.convention, values[i]);
   }
@@ -227,7 +226,7 @@ void set_profile(Scene& scene, std::string_view name, const Profile& profile) {
   const Key& key = find_key(name);
   if (!key.set_profile || !key.set_profile(scene, profile)) {
     throw_invalid_argument(std::string(name), "profile \"" + profile.name + '"',
-                           "allowed are a wheel for wheelset.wheel and a rail for track.rail, or "
+                           "must be a wheel for wheelset.wheel and a rail for track.rail, or "
                            "those of one side");
   }
 }

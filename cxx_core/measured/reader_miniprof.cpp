@@ -144,8 +144,8 @@ const Section& chosen_section(const std::vector<Section>& sections, int choice, 
             std::to_string(i + 1) + " [" + profiles[i]->name + "] of " +
             std::to_string(profiles[i]->rows) + " points";
   }
-  log.refuse("slice = " + std::to_string(choice) + ", allowed is 1 to " + std::to_string(count) +
-             " of its " + std::to_string(count) + " profiles:" + text);
+  log.refuse("slice = " + std::to_string(choice) + ", must be between 1 and " +
+             std::to_string(count) + " of its " + std::to_string(count) + " profiles:" + text);
 }
 
 /// Number of the line with which the points begin: the first row or comment after the blank line

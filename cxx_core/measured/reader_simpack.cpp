@@ -119,7 +119,8 @@ private:
     if (in("header") && key == "type") {
       const double type = finite_number(value, lines_.number(), log_);
       if (type != 0.0 && type != 1.0) {
-        log_.refuse(lines_.number(), "type = " + printable(value) + ", allowed: 0 rail, 1 wheel");
+        log_.refuse(lines_.number(),
+                    "type = " + printable(value) + ", must be 0 (rail) or 1 (wheel)");
       }
       content_.raw.kind = type == 0.0 ? ProfileKind::rail : ProfileKind::wheel;
     } else if (in("spline") && key == "comment") {
@@ -201,7 +202,7 @@ private:
   [[nodiscard]] bool flag(std::string_view key) const {
     const double number = value(key);
     if (number != 0.0 && number != 1.0) {
-      log_.refuse(std::string(key) + " = " + text_of(number) + ", allowed: 0 or 1");
+      log_.refuse(std::string(key) + " = " + text_of(number) + ", must be 0 or 1");
     }
     return number == 1.0;
   }
@@ -268,7 +269,7 @@ private:
     const bool by_factor = number_.contains("units.len.f");
     const bool by_name = !by_factor && !unit_.empty();
     if (by_name && unit_ != "mm" && unit_ != "m" && unit_ != "cm") {
-      log_.refuse("units.len = " + printable(unit_) + ", allowed: m, cm, mm");
+      log_.refuse("units.len = " + printable(unit_) + ", must be m, cm or mm");
     }
     const double named = unit_ == "mm" ? 1000.0 : unit_ == "cm" ? 100.0 : 1.0;
     const double per_metre = by_name ? named : value("units.len.f", 1.0);

@@ -161,7 +161,7 @@ void refuse_foreign(std::string_view bytes, const Log& log) {
                (is_workbook ? "save the sheet with the points as CSV text (in Excel: Save As, CSV; "
                               "in LibreOffice: Save As, Text CSV) and read that file; "
                             : "") +
-               "allowed are text files: two columns, Simpack .prr/.prw, "
+               "it must be a text file: two columns, Simpack .prr/.prw, "
                "MiniProf .ban/.whl");
   }
 }

@@ -206,7 +206,7 @@ std::optional<Profile> nominal_of(const ReadOptions& options, const Log& log) {
   try {
     return read_profile(name, plain).profile;
   } catch (const Error& error) {
-    log.refuse("align_to = " + name + ", allowed is a built-in profile or a file: " + error.what());
+    log.refuse("align_to = " + name + ", must be a built-in profile or a file: " + error.what());
   }
 }
 
@@ -260,7 +260,7 @@ ReadResult read_slice(const std::string& content, const std::filesystem::path& p
   if (options.slice < 1 || options.slice > count) {
     throw Error(ErrorCode::file_malformed,
                 path.string() + ": slice = " + std::to_string(options.slice) +
-                    ", allowed is 1 to " + std::to_string(count) + " of its " +
+                    ", must be between 1 and " + std::to_string(count) + " of its " +
                     slices_text(slices, kind) +
                     "; one profile is read here. All slices together are a rail or a wheel of a "
                     "scene (track.rail, "
@@ -362,7 +362,7 @@ ReadResult profile_through(std::span<const Position> points, std::string_view na
         if (const double value = points[i][coordinate]; !std::isfinite(value)) {
           log.refuse("point " + std::to_string(i) + ": " +
                      (coordinate == 0 ? "lateral" : "height") + " = " + text_of(value) +
-                     ", allowed are finite numbers");
+                     ", must be finite");
         }
       }
       reading::add_point(raw, points[i], i, log);

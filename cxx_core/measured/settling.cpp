@@ -57,8 +57,8 @@ void check_length(const RawProfile& raw, double most, const Log& log) {
                                             ? " in line " + std::to_string(raw.lines[i])
                                             : std::string());
   };
-  log.refuse("the points are " + short_text_of(length) + " mm long in total, allowed are " +
-             text_of(ReadLimits::min_length) + " to " + text_of(most) +
+  log.refuse("the points are " + short_text_of(length) + " mm long in total, must be between " +
+             text_of(ReadLimits::min_length) + " and " + text_of(most) +
              " mm; the longest chord is " +
              short_text_of(distance_between(points[end - 1], points[end])) + " mm, from " +
              point_text(end - 1) + " to " + point_text(end) +
@@ -306,7 +306,7 @@ void turn_points(RawProfile& raw, ProfileKind kind, double angle) {
 void align_points(RawProfile& raw, ProfileKind kind, const Profile& nominal, Log& log) {
   if (nominal.kind != kind) {
     log.refuse("align_to: " + nominal.name + " is a " + std::string(name_of(nominal.kind)) +
-               ", allowed is a " + std::string(name_of(kind)));
+               ", must be a " + std::string(name_of(kind)));
   }
   const std::optional<Alignment> found = alignment_to(nominal.curve, raw.points);
   if (!found) {
@@ -351,11 +351,12 @@ Settled settle(RawProfile& raw, const ReadOptions& options, Log& log, const Prof
   const std::optional<ProfileKind> stated = stated_kind(raw, options, log);
   std::vector<Position>& points = raw.points;
   if (points.size() < ReadLimits::min_points) {
-    log.refuse(std::to_string(points.size()) + " points" +
-               (raw.lines.empty() ? "" : ", the last in line " + std::to_string(raw.lines.back())) +
-               ", at least " + std::to_string(ReadLimits::min_points) +
-               " are needed; allowed are files of two columns, Simpack .prr/.prw, MiniProf "
-               ".ban/.whl");
+    log.refuse(
+        std::to_string(points.size()) + " points" +
+        (raw.lines.empty() ? "" : ", the last in line " + std::to_string(raw.lines.back())) +
+        ", at least " + std::to_string(ReadLimits::min_points) +
+        " are needed; the file must have two columns or be of Simpack (.prr/.prw) or MiniProf "
+        "(.ban/.whl)");
   }
   settle_units(raw, stated, options, log);
   open_outline(raw, stated, log);

@@ -172,8 +172,8 @@ ProfileSlice make_slice(const Slice& slice, RawProfile& raw, ProfileKind kind,
                         const ReadOptions& options, const Log& log) {
   const double chords = reading::chord_length(raw.points);
   if (!(chords >= ReadLimits::min_length && chords <= plausible::longest_outline)) {
-    log.refuse("the points are " + short_text_of(chords) + " mm long in total, allowed are " +
-               text_of(ReadLimits::min_length) + " to " + text_of(plausible::longest_outline) +
+    log.refuse("the points are " + short_text_of(chords) + " mm long in total, must be between " +
+               text_of(ReadLimits::min_length) + " and " + text_of(plausible::longest_outline) +
                " mm");
   }
   for (const Position& point : raw.points) {

@@ -112,7 +112,7 @@ Head read_features_and_interpolation(Content& content) {
   Head head;
   if (!(counts[0] >= 0.0 && counts[0] <= SliceLimits::max_features) ||
       std::trunc(counts[0]) != counts[0]) {
-    content.refuse(text_of(counts[0]) + " features, allowed are 0 to " +
+    content.refuse(text_of(counts[0]) + " features, must be between 0 and " +
                    std::to_string(SliceLimits::max_features));
   }
   head.features = static_cast<std::size_t>(counts[0]);
@@ -122,7 +122,7 @@ Head read_features_and_interpolation(Content& content) {
       [](double count) { return count != 0.0; });
   const double interpolation = content.numbers(1, "the interpolation, 1 or 2").front();
   if (interpolation != 1.0 && interpolation != 2.0) {
-    content.refuse("interpolation " + text_of(interpolation) + ", allowed are 1 and 2");
+    content.refuse("interpolation " + text_of(interpolation) + ", must be 1 or 2");
   }
   head.is_smoothed = interpolation == 2.0;
   return head;
@@ -163,7 +163,7 @@ SliceList read_list(Content& content, const std::filesystem::path& path, Head& h
   along = content.numbers(2, "offset and scale of the places");
   const double count = content.numbers(1, "the number of slices").front();
   if (!(count >= 1.0 && count <= max_slices) || std::trunc(count) != count) {
-    content.refuse(text_of(count) + " slices, allowed are 1 to " + text_of(max_slices));
+    content.refuse(text_of(count) + " slices, must be between 1 and " + text_of(max_slices));
   }
   const std::size_t line_of_count = content.line_number();
   head = read_features_and_interpolation(content);
@@ -178,8 +178,8 @@ SliceList read_list(Content& content, const std::filesystem::path& path, Head& h
                      text_of(slices[i - 1].place) + ", places must ascend");
     }
     if (!(std::abs(slices[i].place) <= SliceLimits::max_place)) {
-      content.refuse("place " + text_of(slices[i].place) + ", allowed are -" +
-                     text_of(SliceLimits::max_place) + " to " + text_of(SliceLimits::max_place));
+      content.refuse("place " + text_of(slices[i].place) + ", must be between -" +
+                     text_of(SliceLimits::max_place) + " and " + text_of(SliceLimits::max_place));
     }
   }
   return list;

@@ -29,7 +29,7 @@ constexpr double max_share = 1e9;
 
 void check_scale(const std::string& argument, double value) {
   if (!(value >= min_scale && value <= max_scale)) {
-    throw_invalid_argument(argument, value, "must lie in 1e-30 to 1e30");
+    throw_invalid_argument(argument, value, "must be between 1e-30 and 1e30");
   }
 }
 
@@ -57,7 +57,7 @@ std::string_view name_of(StopReason reason) {
 void check_grid(const Grid& grid) {
   if (grid.lateral_count < 1 || grid.lateral_count > maximum_element_count) {
     throw_invalid_argument("grid.lateral_count", static_cast<double>(grid.lateral_count),
-                           "must lie in 1 to 2^26");
+                           "must be between 1 and 2^26");
   }
   // The quotient keeps the product from overflowing.
   if (grid.longitudinal_count < 1 ||
@@ -70,7 +70,8 @@ void check_grid(const Grid& grid) {
   if (grid.lateral_step > max_aspect * grid.longitudinal_step ||
       grid.longitudinal_step > max_aspect * grid.lateral_step) {
     throw_invalid_argument("grid.lateral_step/longitudinal_step",
-                           grid.lateral_step / grid.longitudinal_step, "must lie in 1e-9 to 1e9");
+                           grid.lateral_step / grid.longitudinal_step,
+                           "must be between 1e-9 and 1e9");
   }
 }
 
@@ -94,7 +95,7 @@ void check_shares(std::span<const double> shares, const Grid& grid) {
   });
   if (wrong != shares.end()) {
     throw_invalid_argument("shares[" + std::to_string(wrong - shares.begin()) + "]", *wrong,
-                           "must lie in 1e-9 to 1e9");
+                           "must be between 1e-9 and 1e9");
   }
 }
 
@@ -103,7 +104,8 @@ void check_interaction(const PatchInteraction& interaction, std::size_t count) {
   check_entries("interaction.coupling_weight", interaction.coupling_weight.size(), count * count);
   for (const double coupling_weight : interaction.coupling_weight) {
     if (!(coupling_weight >= 0.0 && coupling_weight <= 1.0)) {
-      throw_invalid_argument("interaction.coupling_weight", coupling_weight, "must lie in 0 to 1");
+      throw_invalid_argument("interaction.coupling_weight", coupling_weight,
+                             "must be between 0 and 1");
     }
   }
 }
@@ -136,7 +138,7 @@ void check_problem(const NormalProblem& problem) {
     throw_invalid_argument("load", *load, "must be 0 or lie in 1e-60 to 1e60");
   }
   if (problem.approach && !(std::abs(*problem.approach) <= max_load)) {
-    throw_invalid_argument("approach", *problem.approach, "must lie in -1e60 to 1e60");
+    throw_invalid_argument("approach", *problem.approach, "must be between -1e60 and 1e60");
   }
   if (!(problem.tolerance > 0.0 && problem.tolerance <= 0.1)) {
     throw_invalid_argument("tolerance", problem.tolerance,

@@ -75,7 +75,7 @@ ContactStrip ContactStrips::touching_at(double s, std::string_view model) const 
                 "solve.model = \"" + std::string(model) +
                     "\": where the wheel touches, at s_wheel = " + short_text_of(s) +
                     " mm, the gap has no curvature along the rail, or is known of fewer than " +
-                    std::to_string(cubic_rows) + " rows; allowed here is \"half-space\"");
+                    std::to_string(cubic_rows) + " rows; solve.model must be \"half-space\" here");
   }
   return *strip;
 }
@@ -114,7 +114,7 @@ std::optional<ContactStrip> ContactStrips::between_rows(double s) const {
     throw Error(ErrorCode::invalid_argument,
                 "solve.model: with this yaw the wheel's points nearest to the rail turn back along "
                 "its profile, at s_wheel = " +
-                    short_text_of(s) + " mm; allowed here is \"half-space\"");
+                    short_text_of(s) + " mm; solve.model must be \"half-space\" here");
   }
   const RowCubic cubic(near, s);
   // Cubics overshoot beside the end of a flat, where curvatures differ by a factor of 40.

@@ -24,7 +24,7 @@ void check(std::span<const double> places, double smoothing_length, double perio
   }
   if (period > 0.0 && !(places.back() - places.front() < period)) {
     throw_invalid_argument("angles of the slices", places.back() - places.front(),
-                           "allowed is less than one revolution, " + short_text_of(period) +
+                           "must be less than one revolution, " + short_text_of(period) +
                                ": leave out the last slice if it repeats the first");
   }
   if (!(smoothing_length >= 0.0) || !std::isfinite(smoothing_length)) {

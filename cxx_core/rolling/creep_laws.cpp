@@ -50,7 +50,7 @@ void check_ellipse(const RollingEllipse& ellipse) {
     }
   }
   if (!(ellipse.poisson >= 0.0 && ellipse.poisson <= 0.5)) {
-    throw_invalid_argument("poisson", ellipse.poisson, "must be from 0 to 0.5");
+    throw_invalid_argument("poisson", ellipse.poisson, "must be between 0 and 0.5");
   }
 }
 

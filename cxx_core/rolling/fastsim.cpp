@@ -36,7 +36,7 @@ void check_flexibilities(const Flexibilities& flexibilities) {
 void check_fastsim_grid(const FastsimGrid& grid) {
   if (grid.strips < 1 || grid.strips > max_strips) {
     throw_invalid_argument("strips", static_cast<double>(grid.strips),
-                           "must be from 1 to " + std::to_string(max_strips));
+                           "must be between 1 and " + std::to_string(max_strips));
   }
   if (grid.slices < 1) {
     throw_invalid_argument("slices", static_cast<double>(grid.slices), "must be at least 1");

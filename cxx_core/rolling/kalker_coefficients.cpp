@@ -223,7 +223,7 @@ KalkerCoefficients kalker_coefficients(double a_over_b, double poisson) {
     throw_invalid_argument("a_over_b", a_over_b, "must be finite and greater than 0");
   }
   if (!(poisson >= 0.0 && poisson <= 0.5)) {
-    throw_invalid_argument("poisson", poisson, "must be from 0 to 0.5");
+    throw_invalid_argument("poisson", poisson, "must be between 0 and 0.5");
   }
   const double s = std::log(a_over_b);
   return {coefficient(Coefficient::c11, s, poisson), coefficient(Coefficient::c22, s, poisson),

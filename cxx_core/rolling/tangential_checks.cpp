@@ -60,7 +60,7 @@ void check_problem(const RollingProblem& problem) {
                                      [](double share) { return !(share >= 0.0 && share <= 1.0); });
   if (no_share != problem.covered.end()) {
     throw_invalid_argument("covered[" + std::to_string(no_share - problem.covered.begin()) + "]",
-                           *no_share, "must be from 0 to 1");
+                           *no_share, "must be between 0 and 1");
   }
   check_angles_of_rows(problem);
   if (!(problem.friction >= 0.0) || !std::isfinite(problem.friction)) {
@@ -71,11 +71,11 @@ void check_problem(const RollingProblem& problem) {
                            "must be finite and greater than 0");
   }
   if (!(problem.poisson >= 0.0 && problem.poisson <= 0.5)) {
-    throw_invalid_argument("poisson", problem.poisson, "must be from 0 to 0.5");
+    throw_invalid_argument("poisson", problem.poisson, "must be between 0 and 0.5");
   }
   if (!(std::abs(problem.difference_parameter) <= 0.5)) {
     throw_invalid_argument("difference_parameter", problem.difference_parameter,
-                           "must be from -0.5 to 0.5");
+                           "must be between -0.5 and 0.5");
   }
   if (problem.difference_parameter != 0.0 &&
       (problem.motion != TangentialMotion::rolling || problem.step_length > 0.0)) {
@@ -102,7 +102,7 @@ void check_problem(const RollingProblem& problem) {
     throw_invalid_argument("step_length", problem.step_length, "must be finite and not negative");
   }
   if (!(problem.rolling_share >= 0.0 && problem.rolling_share <= 1.0)) {
-    throw_invalid_argument("rolling_share", problem.rolling_share, "must be from 0 to 1");
+    throw_invalid_argument("rolling_share", problem.rolling_share, "must be between 0 and 1");
   }
   check_finite("longitudinal_creepage", problem.creepages.longitudinal);
   check_finite("lateral_creepage", problem.creepages.lateral);

@@ -52,7 +52,7 @@ struct Balance {
 Two checked(const StaticLoads& loads, const Convention& convention) {
   const auto check = [](double load, const char* name) {
     if (!(load > 0.0 && load <= max_load)) {
-      throw_invalid_argument(name, load, "allowed is above 0 to 1e7 N");
+      throw_invalid_argument(name, load, "must be above 0 and at most 1e7 N");
     }
   };
   const auto& [first, second] = loads.values;
@@ -65,7 +65,7 @@ Two checked(const StaticLoads& loads, const Convention& convention) {
   const double inside = from_caller(second, convention, moment);
   if (!(std::abs(inside) < contact_arm * first)) {
     throw_invalid_argument("loads[1] (moment about x)", second,
-                           "allowed is less than the axle's load times 750 mm, at which a wheel "
+                           "must be less than the axle's load times 750 mm, at which a wheel "
                            "lifts");
   }
   return {first, -inside};

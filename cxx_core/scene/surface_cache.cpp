@@ -21,7 +21,7 @@ namespace {
   if (is_sliced(ProfileChoice{name})) { // built-in names would not help
     throw Error(ErrorCode::unknown_name, text + error.what());
   }
-  text += "allowed is a profile file or one of";
+  text += "must be a profile file or one of";
   for (const auto known : standard_profile_names(kind)) {
     text += ' ';
     text += known;
@@ -119,8 +119,8 @@ void check_slices(const ProfileChoice& choice, const ProfilePlacement& placement
   if ((last == 's' || last == 'S') != (kind == ProfileKind::rail)) {
     throw_invalid_argument(key, choice.name,
                            kind == ProfileKind::rail
-                               ? "these are slices of a wheel; allowed are those of a rail, .slcs"
-                               : "these are slices of a rail; allowed are those of a wheel, .slcw");
+                               ? "these are slices of a wheel; they must be of a rail, .slcs"
+                               : "these are slices of a rail; they must be of a wheel, .slcw");
   }
   const std::string allowed = "not allowed with slices, whose place their list gives";
   if (placement.origin != WheelOrigin::by_file) {
@@ -147,9 +147,10 @@ void check_waves(const std::vector<RadiusHarmonic>& waves, double radius) {
   for (const RadiusHarmonic& wave : waves) {
     const double length = 2.0 * std::numbers::pi * radius / wave.order;
     if (!(length >= shortest_wave)) {
-      throw_invalid_argument("order in wheelset.harmonics", wave.order,
-                             "waves of " + short_text_of(shortest_wave) + " mm or more, here " +
-                                 short_text_of(length) + " mm");
+      throw Error(ErrorCode::invalid_argument, "wheelset.harmonics: order " + text_of(wave.order) +
+                                                   " gives waves of " + short_text_of(length) +
+                                                   " mm; they must be at least " +
+                                                   short_text_of(shortest_wave) + " mm long");
     }
     if (const double slope = std::abs(wave.amplitude) * wave.order / radius;
         !(slope <= steepest_along)) {
@@ -195,7 +196,7 @@ Profile load_profile(const SurfaceSource<Dimensions>& source, ProfileKind kind,
   const auto refuse_smoothing = [&](const std::string& reason) {
     if (choice.smoothing.value_or(0.0) > 0.0) {
       throw_invalid_argument(key + "_smoothing", *choice.smoothing,
-                             "allowed is \"auto\" or 0 with " + reason);
+                             "must be \"auto\" or 0 with " + reason);
     }
   };
   if (choice.given) {

@@ -110,28 +110,28 @@ namespace {
 /// Throws unless a step of time can be solved.
 void check_history(const Scene& scene, double time_step) {
   if (!(time_step >= least_time_step && time_step <= most_time_step)) {
-    throw_invalid_argument("time_step", time_step, "allowed with a history is 1e-9 to 1e9 s");
+    throw_invalid_argument("time_step", time_step, "must be between 1e-9 and 1e9 s with a history");
   }
   if (scene.creep.value_or(CreepModel::full) != CreepModel::full) {
     throw_invalid_argument("solve.creep", "an approximate model",
-                           "allowed with a history are \"auto\" and \"full\"");
+                           "must be \"auto\" or \"full\" with a history");
   }
   if (scene.has_creepages()) {
     throw_invalid_argument("creepages", "given", "with a history they follow from the motion");
   }
   if (scene.pitch_is_free) {
-    throw_invalid_argument("motion.pitch", "free", "allowed with a history is a number");
+    throw_invalid_argument("motion.pitch", "free", "must be a number with a history");
   }
   if (!is_prismatic(scene)) {
     throw_invalid_argument(
         "history", "given",
-        "allowed where a rail or a wheel varies is none: creep forces are steady rolling");
+        "must be none where a rail or a wheel varies: creep forces are those of steady rolling");
   }
   for (const SceneSide* side : {&scene.left, &scene.right}) {
     if (const double difference = shear_constants_of(scene, *side).difference_parameter;
         difference != 0.0) { // 0 where it has no effect
       throw_invalid_argument("history", "wheel and rail of unlike materials",
-                             "allowed are materials whose difference parameter is 0, not " +
+                             "the difference parameter of the materials must be 0, not " +
                                  short_text_of(difference));
     }
   }
@@ -142,11 +142,11 @@ void check_history(const Scene& scene, double time_step) {
 Scene scene_at(const Scene& scene, const VehicleState& state) {
   if (scene.until != Module::mechanics) {
     throw_invalid_argument("solve.until", scene.until == Module::geometry ? "geometry" : "remesh",
-                           "allowed in a step is \"mechanics\"");
+                           "must be \"mechanics\" in a step");
   }
   if (const ModelChoice model = choose_model(scene); state.derivatives && model.approximate) {
     throw_invalid_argument("solve.model", model.name,
-                           "allowed in a step with derivatives are \"auto\" and \"half-space\"");
+                           "must be \"auto\" or \"half-space\" in a step with derivatives");
   }
   Scene posed = scene;
   const auto set_six = [&posed](const SixNumbers& values, const std::array<const char*, 6>& keys) {
@@ -190,7 +190,7 @@ Scene scene_at(const Scene& scene, const VehicleState& state) {
     posed.history = state.history;
     posed.time_step = state.time_step;
   } else if (state.time_step != 0.0) {
-    throw_invalid_argument("time_step", state.time_step, "allowed is 0 without a history");
+    throw_invalid_argument("time_step", state.time_step, "must be 0 without a history");
   }
   return posed;
 }

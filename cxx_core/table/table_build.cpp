@@ -49,7 +49,7 @@ void check_options(const TableOptions& options, Units units) {
                              const Dimension& dimension = dimensions::pure) {
     if (!(value >= least && value <= most)) {
       throw_invalid_argument(name, amount_text(value, units, dimension),
-                             "allowed is " + amount_text(least, units, dimension) + " to " +
+                             "must be between " + amount_text(least, units, dimension) + " and " +
                                  amount_text(most, units, dimension));
     }
   };
@@ -67,7 +67,7 @@ void check_options(const TableOptions& options, Units units) {
   if (bytes > largest_spline) {
     throw_invalid_argument("fineness", options.fineness,
                            "with these ranges the table would take " +
-                               text_of(std::round(bytes / 1e6)) + " MB, allowed are 1000");
+                               text_of(std::round(bytes / 1e6)) + " MB; it must be at most 1000");
   }
 }
 

@@ -73,7 +73,7 @@ PatchNumbers patch_numbers_of(const PatchResult& patch, const Vector3& centre,
 void check_scene_of_table(const Scene& scene) {
   if (const ModelChoice model = choose_model(scene); model.approximate) {
     throw_invalid_argument("solve.model", model.name,
-                           "allowed in a table are \"auto\" and \"half-space\"");
+                           "must be \"auto\" or \"half-space\" in a table");
   }
   if (!is_prismatic(scene)) {
     throw_invalid_argument("profiles", "a slices file, or harmonics",

@@ -47,10 +47,10 @@ double number_of(double given, const Input& input, const Convention& convention)
   const double inside = from_caller(given, convention, input.dimension);
   if (!(std::abs(inside) <= input.limit)) {
     const Dimension amount{input.dimension.quantity};
-    throw_invalid_argument(
-        input.name, given,
-        "allowed is a number of at most " + amount_text(input.limit, convention.units, amount) +
-            (convention.units == Units::si ? " (m, s, rad)" : " (mm, s, rad)") + " to both sides");
+    throw_invalid_argument(input.name, given,
+                           "must be at most " + amount_text(input.limit, convention.units, amount) +
+                               (convention.units == Units::si ? " (m, s, rad)" : " (mm, s, rad)") +
+                               " to both sides");
   }
   return inside;
 }
@@ -98,7 +98,7 @@ TableState state_of_wheel(const ContactTable& table, const VehicleState& state, 
       number_of(state.curvature.value_or(0.0), {"curvature", 1e-3, turning_curvature}, convention);
   result.friction = state.friction ? (*state.friction)[right ? 1 : 0] : table.friction;
   if (!(result.friction >= 0.0 && result.friction <= 10.0)) {
-    throw_invalid_argument("friction", result.friction, "allowed is 0 to 10");
+    throw_invalid_argument("friction", result.friction, "must be between 0 and 10");
   }
   if (right) {
     turn(result.position, signs_of_six);

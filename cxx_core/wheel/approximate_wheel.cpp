@@ -241,7 +241,7 @@ void ApproximateWheel::publish_patches() {
 WheelSolution ApproximateWheel::solve() {
   if (request_.curved == CurvedChoice::yes) {
     throw_invalid_argument("solve.curved", "\"yes\"",
-                           "allowed with an approximate model is \"no\" or \"auto\"");
+                           "must be \"no\" or \"auto\" with an approximate model");
   }
   result_.solved = true;
   const Stopwatch watch;
@@ -269,7 +269,7 @@ WheelSolution solve_wheel_approximately(const WheelSurface& wheel, const RailSur
   if (request.gap == GapConvention::vertical) {
     throw_invalid_argument(
         "solve.gap", "\"vertical\"",
-        "allowed with this model is \"tangent\"; solve.model = \"half-space\" has both");
+        "must be \"tangent\" with this model; solve.model = \"half-space\" has both");
   }
   return ApproximateWheel(wheel, rail, equilibrium, request, model).solve();
 }

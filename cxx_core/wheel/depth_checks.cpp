@@ -45,7 +45,8 @@ bool is_in_contact(const WheelRequest& request, double depth, Warnings& warnings
                                                  : "load of a wheel",
                            request.vertical.value_or(request.load()),
                            "wheel and rail would overlap by " + short_text_of(depth) +
-                               " mm or more; allowed is less than " + text_of(max_depth) + " mm");
+                               " mm or more; the overlap must be less than " + text_of(max_depth) +
+                               " mm");
   }
   return true;
 }
@@ -57,7 +58,7 @@ void check_found_depth(const WheelRequest& request, double depth) {
   const double load = request.load();
   throw Error(ErrorCode::no_contact, "no contact found that carries the load of " + text_of(load) +
                                          " N: the search for the depth ended at " +
-                                         short_text_of(depth) + " mm; allowed is less than " +
+                                         short_text_of(depth) + " mm; it must be less than " +
                                          text_of(max_depth) + " mm");
 }
 

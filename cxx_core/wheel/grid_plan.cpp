@@ -283,7 +283,7 @@ void set_curves(GridSolution& solution, const PosedPair& pair, const WheelReques
     const MeanCurve found = mean_curve(pair, frame, all.lateral_first, all.lateral_last, share);
     if (!found.refusal.empty() && request.curved == CurvedChoice::yes) {
       throw_invalid_argument("solve.curved", "\"yes\"",
-                             found.refusal + "; allowed here is \"no\" or \"auto\"");
+                             found.refusal + "; it must be \"no\" or \"auto\" here");
     }
     ContactFrame curved = frame;
     curved.curve = found.curve;

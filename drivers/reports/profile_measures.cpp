@@ -342,7 +342,7 @@ std::vector<Dimension> differences(const Measures& measures, const Measures& oth
 Comparison compare(const Profile& profile, const Profile& other) {
   if (is_wheel(profile) != is_wheel(other)) {
     throw Failure("--compare " + other.text("name") + ": is a " + kind_name(other) +
-                  "; allowed is a " + kind_name(profile) + " as " + profile.text("name") + " is");
+                  "; must be a " + kind_name(profile) + " as " + profile.text("name") + " is");
   }
   const auto points = equal_points(profile, comparison_spacing);
   const std::vector<double> distances = distances_to(other, points);
@@ -365,7 +365,7 @@ Comparison compare(const Profile& profile, const Profile& other) {
   }
   if (count == 0) {
     throw Failure("--compare " + other.text("name") + ": lies nowhere beside " +
-                  profile.text("name") + "; allowed are profiles in the same frame");
+                  profile.text("name") + "; both must be in the same frame");
   }
   result.rms = std::sqrt(squares / static_cast<double>(count));
   result.compared =

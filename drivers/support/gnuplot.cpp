@@ -272,7 +272,7 @@ void Gnuplot::plot(const std::vector<std::string>& items) {
 void require_picture_name(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
   if (extension != ".png" && extension != ".svg") {
-    throw Failure("--plot " + path.string() + ": allowed is a file that ends in .png or .svg");
+    throw Failure("--plot " + path.string() + ": must be a file that ends in .png or .svg");
   }
 }
 

@@ -127,11 +127,11 @@ void refuse_overwriting(const std::vector<fs::path>& outputs, const std::vector<
     };
     if (std::any_of(inputs.begin(), inputs.end(), same)) {
       throw Failure("cannot write " + output->string() +
-                    ": this run reads it; allowed is the name of another file");
+                    ": this run reads it; must be another file");
     }
     if (std::any_of(outputs.begin(), output, same)) {
       throw Failure("cannot write " + output->string() +
-                    " twice; allowed is one name for each file");
+                    " twice; each file must have a name of its own");
     }
   }
 }

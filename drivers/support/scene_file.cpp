@@ -109,8 +109,7 @@ void set_values(Scene& scene, const Values& values) {
     if (allowed(key).empty()) {
       const std::string parent = key.substr(0, key.rfind('.'));
       if (!allowed(parent).empty()) {
-        throw Failure(parent +
-                      ": allowed is one value; wrc_sweep takes ranges and lists of values");
+        throw Failure(parent + ": must be one value; wrc_sweep takes ranges and lists of values");
       }
       set_value(scene, key, value); // fails and says which keys there are
     }
@@ -178,16 +177,17 @@ Profile load_profile(const Scene& scene, std::int32_t kind, const std::string& n
   if (is_standard(name)) {
     profile.load_standard(name);
     if (profile.kind() != kind) {
-      throw Failure(name + ": allowed is a " + (wheel ? "wheel" : "rail"));
+      throw Failure(name + ": must be a " + (wheel ? "wheel" : "rail"));
     }
     return profile;
   }
   if (std::error_code ignored; !std::filesystem::exists(name, ignored)) {
-    throw Failure(name + ": no such file; allowed are files and built-in names, which wrc_profile "
-                         "--list lists");
+    throw Failure(name +
+                  ": no such file; must be a file or one of the built-in names, which wrc_profile "
+                  "--list lists");
   }
   if (is_slices_file(name)) {
-    throw Failure(name + ": allowed here is a file of one profile, not one of slices " +
+    throw Failure(name + ": must be a file of one profile here, not one of slices " +
                   (wheel ? "around the wheel" : "along the track") + "; wrc_profile " + name +
                   " --slice N --convert FILE makes one of a slice");
   }
@@ -252,7 +252,7 @@ void apply_scene_text(Scene& scene, const std::string& path, const std::string& 
 Assignment split_assignment(const std::string& assignment) {
   const auto equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0) {
-    throw Failure("--set " + assignment + ": allowed is key=value");
+    throw Failure("--set " + assignment + ": must be key=value");
   }
   return {assignment.substr(0, equals), assignment.substr(equals + 1)};
 }

@@ -106,7 +106,7 @@ Value value_of(const std::string& key, const toml::node& node) {
       }
       const auto number = number_of(entry);
       if (!number || !texts.empty()) {
-        throw Failure(key + " = " + text_of(node) + ": allowed in a list are numbers");
+        throw Failure(key + " = " + text_of(node) + ": a list must hold numbers");
       }
       numbers.push_back(*number);
     }
@@ -115,8 +115,7 @@ Value value_of(const std::string& key, const toml::node& node) {
     }
     return numbers;
   }
-  throw Failure(key + " = " + text_of(node) +
-                ": allowed are a number, a text or a list of numbers");
+  throw Failure(key + " = " + text_of(node) + ": must be a number, a text or a list of numbers");
 }
 
 std::string name_within(const std::string& prefix, const toml::key& key) {
@@ -214,14 +213,15 @@ void TableReader::refuse_others() const {
       for (const std::string& name : asked_) {
         allowed += (allowed.empty() ? "" : ", ") + name;
       }
-      throw Failure(name_ + '.' + std::string(key.str()) + ": unknown key; allowed are " + allowed);
+      throw Failure(name_ + '.' + std::string(key.str()) + ": unknown key; must be one of " +
+                    allowed);
     }
   }
 }
 
 void TableReader::refuse(const char* key, const std::string& value,
                          const std::string& allowed) const {
-  throw Failure(name_ + '.' + key + " = " + value + ": allowed is " + allowed);
+  throw Failure(name_ + '.' + key + " = " + value + ": must be " + allowed);
 }
 
 } // namespace driver

@@ -60,7 +60,7 @@ GridSize parse_grid(const std::string& text) {
       grid.lateral < 1 || grid.longitudinal < 1 || grid.lateral > greatest ||
       grid.longitudinal > greatest) {
     throw driver::Failure("--grid " + text +
-                          ": allowed is NxM with N and M from 1 to 8192, or \"all\"");
+                          ": must be NxM with N and M from 1 to 8192, or \"all\"");
   }
   return grid;
 }
@@ -83,7 +83,7 @@ std::vector<Case> chosen_cases(const Options& options) {
     const auto found = std::find_if(
         all.begin(), all.end(), [&](const Case& known) { return known.description.name == name; });
     if (found == all.end()) {
-      std::string text = "--case " + name + ": allowed is one of";
+      std::string text = "--case " + name + ": must be one of";
       for (const Case& known : all) {
         text += ' ' + known.description.name;
       }
@@ -106,7 +106,7 @@ std::vector<Case> chosen_cases(const Options& options) {
 void check_grid(const Case& chosen, const GridSize& grid) {
   constexpr std::int64_t greatest = 2048; // a grid three times finer is solved too
   if (chosen.kind == Kind::scene && std::max(grid.lateral, grid.longitudinal) > greatest) {
-    throw driver::Failure("--grid " + grid.text() + ": allowed is 1 to 2048 with --case " +
+    throw driver::Failure("--grid " + grid.text() + ": must be between 1 and 2048 with --case " +
                           chosen.description.name);
   }
 }

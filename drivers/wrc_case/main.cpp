@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
   app.footer("\n" + keys_text() + driver::standard_names_text() + examples);
   return app.run(argc, argv, [&] {
     if (json && csv) {
-      throw driver::Failure("--json --csv: allowed is one of them");
+      throw driver::Failure("--json --csv: must be one of them");
     }
     driver::Scene scene;
     set_keys(scene, scene_file, assignments);

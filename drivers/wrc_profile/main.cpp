@@ -56,7 +56,7 @@ Profile load_file(const std::string& argument, const std::string& path,
     std::string names = standard_names_text();
     names.pop_back();
     std::replace(names.begin(), names.end(), '\n', ' ');
-    throw Failure(argument + ' ' + path + ": no such file; allowed are files and built-in names. " +
+    throw Failure(argument + ' ' + path + ": no such file; must be a file or a built-in name. " +
                   names);
   }
   Profile profile;
@@ -197,14 +197,14 @@ std::string unless_positive(const std::string& text) {
   const std::optional<double> value = number_in(text);
   return value && *value > 0.0 && std::isfinite(*value)
              ? ""
-             : text + " given, allowed is a positive number";
+             : text + " given, must be a positive number";
 }
 
 std::string unless_smoothing(const std::string& text) {
   const std::optional<double> value = number_in(text);
   return text == "auto" || (value && *value >= 0.0 && std::isfinite(*value))
              ? ""
-             : text + " given, allowed is auto or a number of mm, not negative";
+             : text + " given, must be auto or a number of mm, not negative";
 }
 
 void add_reading_options(Program& app, Arguments& arguments) {
@@ -316,7 +316,7 @@ int run(const Program& app, const Arguments& arguments) {
     return 0;
   }
   if (arguments.name.empty()) {
-    throw Failure("no profile given: allowed is a built-in name or a file (see --help, --list)");
+    throw Failure("no profile given: must be a built-in name or a file (see --help, --list)");
   }
   const auto file = [](const std::string& name) { return is_standard(name) ? "" : name; };
   refuse_overwriting({arguments.convert, arguments.plot},
@@ -354,8 +354,8 @@ int run(const Program& app, const Arguments& arguments) {
   if (arguments.points) {
     const double least_spacing = measures.length / most_points;
     if (arguments.spacing < least_spacing) {
-      throw Failure("--spacing " + general(arguments.spacing) + ": allowed with --points is " +
-                    general(least_spacing) + " mm or more for this profile");
+      throw Failure("--spacing " + general(arguments.spacing) + ": must be at least " +
+                    general(least_spacing) + " mm with --points for this profile");
     }
     report.points = equal_points(report.profile, arguments.spacing);
     if (other) {

@@ -301,7 +301,7 @@ std::string report(const Options& options) {
   for (const std::string& text : options.assignments) {
     if (const std::string key = split_assignment(text).key;
         key.ends_with(".wheel") || key.ends_with(".rail")) {
-      throw Failure("--set " + text + ": allowed are keys other than " + key +
+      throw Failure("--set " + text + ": must be a key other than " + key +
                     "; the arguments WHEEL and RAIL name the profiles");
     }
   }

@@ -87,7 +87,7 @@ Pair::Pair(const std::string& wheel_name, const std::string& rail_name,
     for (const char* own : {"wheelset.wheel", "track.rail", "pose.lateral", "solve.side",
                             "convention.units", "convention.frame"}) {
       if (key == own) {
-        throw Failure("--set " + text + ": allowed are other keys; the report sets " + key +
+        throw Failure("--set " + text + ": must be another key; the report sets " + key +
                       " itself");
       }
     }

@@ -160,9 +160,8 @@ Journal::Journal(fs::path path, const Study& study, Old old) : path_(target_of(s
   lock();
   if (there && old != Old::restart) {
     if (old == Old::refuse) {
-      throw Failure(path_.string() +
-                    " holds rows of an interrupted run: allowed are --resume to go on and "
-                    "--restart to begin again");
+      throw Failure(path_.string() + " holds rows of an interrupted run: --resume goes on, "
+                                     "--restart begins again");
     }
     open_old(study);
   } else {
@@ -194,7 +193,7 @@ void Journal::lock() {
   constexpr int tries = 50;
   for (int i = 0; flock(locked_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; ++i) {
     if (i == tries) {
-      throw Failure(path_.string() + " is being written by another run: allowed is another --out");
+      throw Failure(path_.string() + " is being written by another run: use another --out");
     }
     std::this_thread::sleep_for(pause);
   }
@@ -221,7 +220,7 @@ void Journal::open_old(const Study& study) {
         "--resume: " + path_.string() +
         " holds rows of another study (keys, values, results, fields, content of input files or "
         "version differ): "
-        "allowed is --restart to begin again");
+        "--restart begins again");
   }
   end_ = static_cast<std::int64_t>(header.size());
   // A row at a time: with fields the file may be larger than the memory.

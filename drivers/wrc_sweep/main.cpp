@@ -206,11 +206,11 @@ int sweep(const Options& options, const driver::Ranks& ranks, bool& started) {
     return 0;
   }
   if (options.study_file.empty()) {
-    throw driver::Failure("no study given: allowed is a study file in TOML (wrc_sweep --help shows "
+    throw driver::Failure("no study given: must be a study file in TOML (wrc_sweep --help shows "
                           "one) or the name of a shipped study (wrc_sweep --list-studies)");
   }
   if (options.resume && options.restart) {
-    throw driver::Failure("--resume --restart: allowed is one of them");
+    throw driver::Failure("--resume --restart: must be one of them");
   }
   if (!options.page.empty()) {
     return ranks.rank() == 0 ? make_page(options) : 0;

@@ -166,7 +166,7 @@ PageSummary write_page(const Study& study, int threads, const std::filesystem::p
   const std::int64_t count = study.scene_count();
   if (count > most_scenes_of_page) {
     throw Failure("--page: the study has " + std::to_string(count) +
-                  " scenes, allowed for a page are " + std::to_string(most_scenes_of_page));
+                  " scenes; a page holds at most " + std::to_string(most_scenes_of_page));
   }
   std::vector<json> scenes(static_cast<std::size_t>(count));
   for_each_index(scenes.size(), threads,

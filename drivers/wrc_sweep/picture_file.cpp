@@ -44,12 +44,12 @@ PanelRequest read_panel(const toml::table& table, const std::string& name, const
   panel.y_factor = reader.number("y_factor", 1.0);
   const std::string style = reader.text("style", "lines");
   if (style != "lines" && style != "points") {
-    reader.refuse("style", in_quotes(style), "\"lines\" and \"points\"");
+    reader.refuse("style", in_quotes(style), "\"lines\" or \"points\"");
   }
   panel.is_joined = style == "lines";
   panel.statistic = reader.text("statistic", panel.statistic);
   if (panel.statistic != "max" && panel.statistic != "mean" && panel.statistic != "min") {
-    reader.refuse("statistic", in_quotes(panel.statistic), "\"max\", \"mean\" and \"min\"");
+    reader.refuse("statistic", in_quotes(panel.statistic), "\"max\", \"mean\" or \"min\"");
   }
   for (const toml::table* line_table : reader.tables("lines")) {
     TableReader line_reader(*line_table, name + ".lines");
@@ -201,7 +201,7 @@ PictureRequest read_picture(const toml::table& table, const Study& study) {
   }
   for (const std::string& side : picture.sides) {
     if (side != "left" && side != "right") {
-      reader.refuse("sides", in_quotes(side), "\"left\" and \"right\"");
+      reader.refuse("sides", in_quotes(side), "\"left\" or \"right\"");
     }
   }
   if (picture.sides.empty()) {
@@ -290,7 +290,7 @@ std::vector<PictureRequest> read_pictures(const toml::table& file, const Study& 
     return pictures;
   }
   if (!node->is_array_of_tables()) {
-    throw Failure("picture = " + text_of(*node) + ": allowed are tables [[picture]]");
+    throw Failure("picture = " + text_of(*node) + ": must be tables [[picture]]");
   }
   for (const toml::node& entry : *node->as_array()) {
     pictures.push_back(read_picture(*entry.as_table(), study));

@@ -22,7 +22,7 @@ std::vector<double> PictureData::numbers_of(const std::string& key) const {
   for (const Value& value : values_of(key)) {
     const double* number = std::get_if<double>(&value);
     if (number == nullptr) {
-      throw Failure("picture.x = \"" + key + "\": allowed is a key whose values are numbers, not " +
+      throw Failure("picture.x = \"" + key + "\": must be a key whose values are numbers, not " +
                     text_of(value));
     }
     numbers.push_back(*number);

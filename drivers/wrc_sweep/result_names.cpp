@@ -172,7 +172,7 @@ void check_results(const std::vector<std::string>& names) {
     const std::string first = with_first_entry(name);
     if (!is_known(first) && !is_known(name_now(first, known))) {
       throw Failure("study.results: \"" + name + "\" is unknown" + nearest_results(name) +
-                    "; allowed are the names that wrc_sweep --list-results prints");
+                    "; must be a name that wrc_sweep --list-results prints");
     }
   }
 }
@@ -185,7 +185,7 @@ void check_fields(const std::vector<std::string>& names) {
       for (const char* field : field_names) {
         allowed += (allowed.empty() ? "" : ", ") + std::string(field);
       }
-      throw Failure("study.fields: \"" + name + "\" is unknown; allowed are " + allowed);
+      throw Failure("study.fields: \"" + name + "\" is unknown; must be one of " + allowed);
     }
   }
 }

@@ -78,7 +78,7 @@ void Study::refuse_changed_inputs() const {
   for (auto input = inputs.begin() + 1; input != inputs.end(); ++input) {
     if (read_input(input->path).sha256 != input->sha256) {
       throw Failure(input->path + " has changed since this study began, so its rows may be of two "
-                                  "profiles: allowed is --restart to begin again");
+                                  "profiles: --restart begins again");
     }
   }
 }

@@ -34,7 +34,7 @@ double rounded(double value) {
 
 std::vector<Value> range_values(const std::string& key, const toml::table& range) {
   const auto refuse = [&](const std::string& allowed) {
-    throw Failure(key + " = " + text_of(range) + ": allowed is " + allowed);
+    throw Failure(key + " = " + text_of(range) + ": must be " + allowed);
   };
   const std::string form = "{from, to, step} or {from, to, count}";
   for (const auto& [name, node] : range) {
@@ -59,17 +59,18 @@ std::vector<Value> range_values(const std::string& key, const toml::table& range
   if (step) {
     values = std::floor((*to - *from) / *step + slack) + 1.0;
     if (!(values >= 1.0) || !(values <= most_values)) {
-      refuse("a step that leads from `from` to `to` in less than 1e6 steps");
+      refuse("given with a step that leads from `from` to `to` in less than 1e6 steps");
     }
     const double steps = std::max(1.0, std::round((*to - *from) / *step));
     if (std::abs(*from + steps * *step - *to) > ending_slack * std::abs(*step) && *to != *from) {
-      refuse("a step that ends at `to`, such as step = " + text_of(rounded((*to - *from) / steps)) +
+      refuse("given with a step that ends at `to`, such as step = " +
+             text_of(rounded((*to - *from) / steps)) +
              ", or to = " + text_of(rounded(*from + (values - 1.0) * *step)));
     }
   } else {
     values = *count;
     if (!(values >= 2.0) || !(values <= most_values) || values != std::floor(values)) {
-      refuse("a count that is a whole number, 2 to 1e6");
+      refuse("given with a count that is a whole number, 2 to 1e6");
     }
   }
   const double width = step ? *step : (*to - *from) / (values - 1.0);
@@ -183,7 +184,7 @@ private:
         values.push_back(one(key, entry));
       }
       if (values.empty()) {
-        throw Failure(key + " = []: allowed is a list of at least one value");
+        throw Failure(key + " = []: must be a list of at least one value");
       }
     } else {
       remove(key);
@@ -222,7 +223,7 @@ void read_study_table(const toml::table& file, Study& study) {
   }
   const toml::table* table = node->as_table();
   if (table == nullptr) {
-    throw Failure("study = " + text_of(*node) + ": allowed is a table [study]");
+    throw Failure("study = " + text_of(*node) + ": must be a table [study]");
   }
   TableReader reader(*table, "study");
   study.name = reader.text("name", study.name);
@@ -231,7 +232,7 @@ void read_study_table(const toml::table& file, Study& study) {
   study.fields = reader.texts("fields");
   reader.refuse_others();
   if (study.name.empty() || study.name.find('/') != std::string::npos) {
-    throw Failure("study.name = \"" + study.name + "\": allowed is a file name without folder");
+    throw Failure("study.name = \"" + study.name + "\": must be a file name without folder");
   }
 }
 
@@ -250,7 +251,7 @@ void try_values(const Study& study) {
     count *= static_cast<double>(axis.values.size());
   }
   if (count > most_scenes) {
-    throw Failure("the study has " + text_of(count) + " scenes; allowed are 1e7");
+    throw Failure("the study has " + text_of(count) + " scenes; must be at most 1e7");
   }
 }
 

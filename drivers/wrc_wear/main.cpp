@@ -174,7 +174,7 @@ void check(const Options& options) {
   for (const std::string& text : options.assignments) {
     const std::string key = split_assignment(text).key;
     if (key == "wheelset.wheel" || key.starts_with("convention.")) {
-      throw Failure("--set " + text + ": allowed are keys other than " + key +
+      throw Failure("--set " + text + ": must be a key other than " + key +
                     (key == "wheelset.wheel" ? ", for which there is --wheel" : ""));
     }
   }

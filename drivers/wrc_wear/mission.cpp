@@ -16,7 +16,7 @@ double number_between(TableReader& reader, const char* key, double otherwise, do
                       double most) {
   const double value = reader.number(key, otherwise);
   if (!(value >= least) || !(value <= most)) {
-    reader.refuse(key, text_of(value), text_of(least) + " to " + text_of(most));
+    reader.refuse(key, text_of(value), "between " + text_of(least) + " and " + text_of(most));
   }
   return value;
 }
@@ -58,7 +58,7 @@ Mission read_mission(const std::string& path) {
     Curve curve;
     curve.radius = number_between(curve_reader, "radius", -1.0, 0.0, 1e6);
     if (curve.radius > 0.0 && curve.radius < 10.0) {
-      curve_reader.refuse("radius", text_of(curve.radius), "0 (straight), or 10 to 1e6 m");
+      curve_reader.refuse("radius", text_of(curve.radius), "0 (straight), or between 10 and 1e6 m");
     }
     curve.speed = number_between(curve_reader, "speed", 0.0, 0.1, 200.0);
     curve.share = number_between(curve_reader, "share", 0.0, 1e-6, 1.0);
@@ -68,7 +68,7 @@ Mission read_mission(const std::string& path) {
   }
   reader.refuse_others();
   if (!(std::abs(sum - 1.0) <= share_rounding)) {
-    throw Failure(path + ": the shares of all [[curve]] sum to " + text_of(sum) + "; allowed is 1");
+    throw Failure(path + ": the shares of all [[curve]] sum to " + text_of(sum) + "; must be 1");
   }
   return mission;
 }

@@ -15,7 +15,7 @@ def encoded(text: str | os.PathLike[str]) -> bytes:
     """A text for the library. It must not contain a zero byte, where the library would end it."""
     code = os.fspath(text).encode("utf-8", "surrogateescape")
     if b"\0" in code:
-        raise InvalidArgument(f"{text!r} has a zero byte; allowed are texts without")
+        raise InvalidArgument(f"{text!r} has a zero byte; it must have none")
     return code
 
 

@@ -43,7 +43,7 @@ def doubles(values: ArrayLike) -> Array:
     if any(isinstance(part, np.ma.MaskedArray) and np.any(part.mask) for part in parts):
         from .errors import InvalidArgument
 
-        raise InvalidArgument("an array has masked values; allowed are arrays without: values[~values.mask]")
+        raise InvalidArgument("an array has masked values; it must have none: values[~values.mask]")
     return np.ascontiguousarray(values, dtype=np.float64)
 
 

@@ -42,7 +42,7 @@ class GridContact(Handle):
 
     def _set_grid(self, values: Array, lateral_step: float, longitudinal_step: float) -> None:
         if values.ndim != 2:
-            raise InvalidArgument(f"the values have {values.ndim} dimensions; allowed are 2, rows "
+            raise InvalidArgument(f"the values have {values.ndim} dimensions; must be 2, rows "
                                   "across and columns along")
         self._check(self._function("set_grid")(self._handle, *values.shape, lateral_step,
                                                longitudinal_step))
@@ -183,8 +183,7 @@ class RollingContact(GridContact):
         """Rigid slip of each element in addition to that of the creepages; two empty lists: none."""
         x, y = doubles(slip_x), doubles(slip_y)
         if x.shape != y.shape:
-            raise InvalidArgument(f"slip_x has shape {x.shape}, slip_y {y.shape}; allowed are equal "
-                                  "ones")
+            raise InvalidArgument(f"slip_x has shape {x.shape}, slip_y {y.shape}; must be equal")
         self._check(lib.wrc_rolling_set_slip(self._handle, pointer(x), pointer(y), x.size))
         return self
 
@@ -192,8 +191,8 @@ class RollingContact(GridContact):
         """The tractions (MPa, on the wheel) before a step or shift; two empty lists: none."""
         x, y = doubles(traction_x), doubles(traction_y)
         if x.shape != y.shape:
-            raise InvalidArgument(f"traction_x has shape {x.shape}, traction_y {y.shape}; allowed "
-                                  "are equal ones")
+            raise InvalidArgument(f"traction_x has shape {x.shape}, traction_y {y.shape}; must be "
+                                  "equal")
         self._check(lib.wrc_rolling_set_previous(self._handle, pointer(x), pointer(y), x.size))
         return self
 

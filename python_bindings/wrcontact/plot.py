@@ -86,10 +86,10 @@ def draw_panel(result: Result, axes: Any, panel: str, side: str) -> Any:
         "outlines": _draw_outlines, "tractions": _draw_tractions,
         "pressures": lambda *arguments: _draw_pressures(axes.figure, *arguments)}
     if panel not in panels:
-        raise InvalidArgument(f"panel is {panel!r}; allowed are {', '.join(sorted(panels))}")
+        raise InvalidArgument(f"panel is {panel!r}; must be one of {', '.join(sorted(panels))}")
     if side not in ("left", "right") or side not in result._groups:
-        raise InvalidArgument(f"side is {side!r}; allowed are "
-                              f"{' and '.join(one for one in ('left', 'right') if one in result._groups)}")
+        raise InvalidArgument(f"side is {side!r}; must be "
+                              f"{' or '.join(one for one in ('left', 'right') if one in result._groups)}")
     panels[panel](axes, result, side, str(result["units"]).split(", "))
     if panel != "outlines":
         _same_scale([axes], turned=_direction(result) > 0.0)

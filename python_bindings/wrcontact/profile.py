@@ -38,7 +38,7 @@ def standard_profiles(kind: str) -> list[str]:
 
 def _number_of(word: str, words: dict[str, int], argument: str) -> int:
     if word not in words:
-        raise InvalidArgument(f"{argument} is {word!r}; allowed are {', '.join(words)}")
+        raise InvalidArgument(f"{argument} is {word!r}; must be one of {', '.join(words)}")
     return words[word]
 
 
@@ -50,7 +50,7 @@ def _read_options(options: dict[str, Any]) -> Any:
     struct.struct_size = ffi.sizeof("wrc_read_options")
     for name, value in options.items():
         if name not in members:
-            raise TypeError(f"{name}: no such option; allowed are {', '.join(sorted(members))}")
+            raise TypeError(f"{name}: no such option; must be one of {', '.join(sorted(members))}")
         if name == "kind":
             value, struct.kind_given = _number_of(value, _KINDS, name), 1
         elif name == "origin":
@@ -102,7 +102,7 @@ class Profile(Handle):
         y, z = doubles(lateral), doubles(height)
         profile._made = (Profile.from_points, (kind, y.copy(), z.copy()), {"name": name, **options})
         if y.shape != z.shape or y.ndim != 1:
-            raise InvalidArgument(f"lateral has shape {y.shape}, height {z.shape}; allowed are two "
+            raise InvalidArgument(f"lateral has shape {y.shape}, height {z.shape}; must be two "
                                   "lists of the same length")
         profile._check(lib.wrc_profile_set_points(
             profile._handle, encoded(name), pointer(y), pointer(z), y.size,

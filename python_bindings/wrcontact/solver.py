@@ -215,7 +215,7 @@ def solve_without_warning(scenes: Sequence[Scene], threads: int) -> list[Result 
     status = lib.wrc_solve_batch(handles, len(scenes), threads, statuses)
     if status != 0 and untouched in statuses:
         raise error_of(status, "" if status != lib.WRC_INVALID_ARGUMENT else
-                       f"threads is {threads}; allowed is 1 to 1024, and scenes that all differ")
+                       f"threads is {threads}; must be between 1 and 1024, and all scenes must differ")
     return [_outcome(scene, one) for scene, one in zip(scenes, statuses)]
 
 

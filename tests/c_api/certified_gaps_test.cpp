@@ -151,33 +151,34 @@ TEST(CertifiedGaps, AreRefusedOutsideWithArgumentValueAndAllowedRange) {
   };
   const Refusal all[] = {
       {with("load", [](Gap& gap) { gap.load = 9e-61; }),
-       {"normal_load = 9e-61", "allowed is 0, or 1e-60 to 1e60 N"}},
+       {"normal_load = 9e-61", "must be 0, or 1e-60 to 1e60 N"}},
       {with("load", [](Gap& gap) { gap.load = 1.1e60; }), {"normal_load = 1.1e+60", "1e60 N"}},
       {with("load", [](Gap& gap) { gap.load = -1.0; }), {"normal_load = -1", "1e60 N"}},
       {with("load", [](Gap& gap) { gap.load = nan; }), {"normal_load = nan", "1e60 N"}},
       {with("modulus", [](Gap& gap) { gap.modulus = 9e-31; }),
-       {"combined_modulus = 9e-31", "1e-30 to 1e30 MPa"}},
+       {"combined_modulus = 9e-31", "between 1e-30 and 1e30 MPa"}},
       {with("modulus", [](Gap& gap) { gap.modulus = 1.1e30; }),
-       {"combined_modulus = 1.1e+30", "1e-30 to 1e30 MPa"}},
+       {"combined_modulus = 1.1e+30", "between 1e-30 and 1e30 MPa"}},
       {with("step", [](Gap& gap) { gap.lateral_step = gap.longitudinal_step = 9e-31; }),
-       {"grid.lateral_step = 9e-31", "1e-30 to 1e30"}},
+       {"grid.lateral_step = 9e-31", "between 1e-30 and 1e30"}},
       {with("step", [](Gap& gap) { gap.longitudinal_step = 1.1e30; }),
-       {"grid.longitudinal_step = 1.1e+30", "1e-30 to 1e30"}},
+       {"grid.longitudinal_step = 1.1e+30", "between 1e-30 and 1e30"}},
       {with("step", [](Gap& gap) { gap.lateral_step = 0.0; }),
-       {"grid.lateral_step = 0", "1e-30 to 1e30"}},
+       {"grid.lateral_step = 0", "between 1e-30 and 1e30"}},
       {with("aspect",
             [](Gap& gap) {
               gap.lateral_step = 1.1e5;
               gap.longitudinal_step = 1e-4;
             }),
-       {"grid.lateral_step/longitudinal_step = 1.1e+09", "1e-9 to 1e9"}},
+       {"grid.lateral_step/longitudinal_step = 1.1e+09", "between 1e-9 and 1e9"}},
       {with("aspect",
             [](Gap& gap) {
               gap.lateral_step = 1e-4;
               gap.longitudinal_step = 1.25e5;
             }),
-       {"grid.lateral_step/longitudinal_step = 8e-10", "1e-9 to 1e9"}},
-      {with("rows", [](Gap& gap) { gap.rows = 0; }), {"grid.lateral_count = 0", "1 to 2^26"}},
+       {"grid.lateral_step/longitudinal_step = 8e-10", "between 1e-9 and 1e9"}},
+      {with("rows", [](Gap& gap) { gap.rows = 0; }),
+       {"grid.lateral_count = 0", "between 1 and 2^26"}},
       {with("elements",
             [](Gap& gap) {
               gap.rows = 8193;
@@ -185,9 +186,9 @@ TEST(CertifiedGaps, AreRefusedOutsideWithArgumentValueAndAllowedRange) {
             }),
        {"grid.longitudinal_count = 8192", "2^26 elements"}},
       {with("tolerance", [](Gap& gap) { gap.tolerance = 9e-14; }),
-       {"tolerance = 9e-14", "allowed is 1e-13 to 0.1"}},
+       {"tolerance = 9e-14", "must be between 1e-13 and 0.1"}},
       {with("tolerance", [](Gap& gap) { gap.tolerance = 0.11; }),
-       {"tolerance = 0.11", "allowed is 1e-13 to 0.1"}},
+       {"tolerance = 0.11", "must be between 1e-13 and 0.1"}},
       {with("hole", [](Gap& gap) { gap.distance[7] = nan; }), {"values[7] = nan", "finite"}},
       {with("hole", [](Gap& gap) { gap.distance[0] = -infinity; }), {"values[0] = -inf", "finite"}},
   };
@@ -204,7 +205,7 @@ TEST(CertifiedGaps, AreRefusedOutsideWithArgumentValueAndAllowedRange) {
   const NormalPointer normal = make_normal();
   EXPECT_EQ(wrc_normal_set_number(normal.get(), "approach", 1e60), WRC_OK);
   expect_error(normal.get(), wrc_normal_set_number(normal.get(), "approach", -1.1e60),
-               WRC_INVALID_ARGUMENT, "approach = -1.1e+60: allowed is -1e60");
+               WRC_INVALID_ARGUMENT, "approach = -1.1e+60: must be between -1e60");
 }
 
 TEST(CertifiedGaps, WithoutLoadOrTouchThereIsNoPressure) {

@@ -123,7 +123,7 @@ TEST(Convention, RefusedValuesAndTheirRangesAreInTheUnitsOfTheCaller) {
   const ScenePointer scene = make_scene();
   set(scene.get(), {{"convention.units", "SI"}});
   EXPECT_EQ(wrc_scene_set_number(scene.get(), "track.gauge", 1435.0), WRC_INVALID_ARGUMENT);
-  EXPECT_STREQ(wrc_scene_error(scene.get()), "track.gauge = 1435: allowed is 0.6 to 1.7 m");
+  EXPECT_STREQ(wrc_scene_error(scene.get()), "track.gauge = 1435: must be between 0.6 and 1.7 m");
 }
 
 TEST(Inputs, AreDefaultsUntilSet) {

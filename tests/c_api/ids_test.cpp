@@ -184,7 +184,7 @@ TEST(Ids, ARefusedNumberChangesNothing) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double wrong : {0.7, -0.1, nan}) {
     expect_error(s, set_by_id(s, ids, {3.0, 5e4, wrong}), WRC_INVALID_ARGUMENT,
-                 "material.poisson = ", "allowed is 0 to 0.5");
+                 "material.poisson = ", "must be between 0 and 0.5");
     double value = 0.0;
     EXPECT_EQ(wrc_scene_get_number(s, "pose.lateral", &value), WRC_OK);
     EXPECT_EQ(value, 1.0);
@@ -194,7 +194,7 @@ TEST(Ids, ARefusedNumberChangesNothing) {
   // As by name: value and range in the units of the caller.
   set(s, {{"convention.units", "SI"}});
   expect_error(s, set_by_id(s, {ids[0]}, {30.0}), WRC_INVALID_ARGUMENT, "pose.lateral = 30",
-               "-10 to 10 m");
+               "between -10 and 10 m");
   expect_error(s, set_by_id(s, {key_id(s, "solve.threads")}, {1.5}), WRC_INVALID_ARGUMENT,
                "solve.threads = 1.5");
   expect_error(s, set_by_id(s, {key_id(s, "solve.side")}, {1.0}), WRC_INVALID_ARGUMENT,

@@ -142,14 +142,14 @@ TEST(RollingProblem, ValuesOutOfRangeAreRefusedAndChangeNothing) {
   for (const double wrong : {-1.0, 1.1e30, nan, infinity}) {
     const std::vector<double> values{1.0, wrong, 2.0};
     expect_error(r, wrc_rolling_set_pressure(r, values.data(), 3), WRC_INVALID_ARGUMENT,
-                 "values[1]", "0 to 1e30 MPa");
+                 "values[1]", "between 0 and 1e30 MPa");
   }
   const std::vector<double> values{1.0, 2.0, infinity};
   EXPECT_EQ(wrc_rolling_set_pressure(r, values.data(), 0), WRC_INVALID_ARGUMENT);
   EXPECT_EQ(wrc_rolling_set_pressure(r, values.data(), -3), WRC_INVALID_ARGUMENT);
   EXPECT_EQ(wrc_rolling_set_slip(r, values.data(), values.data(), -3), WRC_INVALID_ARGUMENT);
   expect_error(r, wrc_rolling_set_slip(r, values.data() + 1, values.data(), 2),
-               WRC_INVALID_ARGUMENT, "slip_x[1]", "-1e30 to 1e30");
+               WRC_INVALID_ARGUMENT, "slip_x[1]", "between -1e30 and 1e30");
   expect_error(r, wrc_rolling_set_slip(r, values.data(), values.data() + 1, 2),
                WRC_INVALID_ARGUMENT, "slip_y[1]");
   EXPECT_EQ(wrc_rolling_set_previous(r, values.data(), values.data(), -3), WRC_INVALID_ARGUMENT);
@@ -172,14 +172,14 @@ TEST(RollingProblem, ValuesOutOfRangeAreRefusedAndChangeNothing) {
     numbers.insert(numbers.end(), {nan, infinity, -infinity});
     for (const double value : numbers) {
       expect_error(r, wrc_rolling_set_number(r, key.c_str(), value), WRC_INVALID_ARGUMENT, key,
-                   "allowed is");
+                   "must be between");
     }
   }
   for (const char* key : {"model", "contact", "difference"}) {
     expect_error(r, wrc_rolling_set_text(r, key, "fast"), WRC_INVALID_ARGUMENT, key,
-                 " = \"fast\": allowed is \"");
+                 " = \"fast\": must be \"");
   }
-  EXPECT_TRUE(contains(wrc_rolling_error(r), "allowed is \"biased\" or \"first-order\""));
+  EXPECT_TRUE(contains(wrc_rolling_error(r), "must be \"biased\" or \"first-order\""));
   ASSERT_TRUE(contact.solve());
   ASSERT_TRUE(plain.solve());
   EXPECT_EQ(contact.field("traction_x"), plain.field("traction_x"));

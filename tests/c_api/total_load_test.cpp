@@ -199,7 +199,7 @@ TEST(TotalLoad, ReplacesOtherLoadsAndIsReplaced) {
   set(s, {{"load.total_right", 4e4}, {"load.total_vertical", "none"}});
   EXPECT_TRUE(text_is_none("load.total_right"));
   expect_error(s, wrc_scene_set_number(s, "load.total_left", -1.0), WRC_INVALID_ARGUMENT,
-               "load.total_left", "0 to 1e12 N");
+               "load.total_left", "between 0 and 1e12 N");
 }
 
 /// The position is prescribed then: loads are results.

@@ -474,7 +474,7 @@ TEST(Tables, AreRefusedBeforeTheFirstSolution) {
     return std::string("accepted");
   };
   EXPECT_EQ(text_of("pose.lateral", 2e4, "left.pmax"),
-            "pose.lateral = 20000: allowed is -1e4 to 1e4 mm");
+            "pose.lateral = 20000: must be between -1e4 and 1e4 mm");
   EXPECT_NE(text_of("pose.sideways", 0.0, "left.pmax").find("pose.sideways"), std::string::npos);
   EXPECT_EQ(text_of("pose.lateral", 0.0, "left.pmux"),
             "results: there is no result \"left.pmux\"; nearest: left.pmax");
@@ -491,7 +491,7 @@ TEST(Tables, ReportTheCauseIfASolutionIsRefused) {
     FAIL() << "accepted";
   } catch (const wrcontact::Error& error) {
     EXPECT_STREQ(error.what(), "pose.vertical = 380: wheel and rail would overlap by 79.82 mm or "
-                               "more; allowed is less than 50 mm");
+                               "more; the overlap must be less than 50 mm");
   }
 }
 

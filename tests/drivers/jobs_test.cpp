@@ -203,7 +203,7 @@ TEST_F(Jobs, AReportRefusesMistakes) {
       .expect_refusal({"measured/rail.txt"});
   write("rail.slcs", "0 10\n3\n2\n1\n0 'a.txt'\n1 'a.txt'\n2 'a.txt'\n");
   run(WRC_REPORT_PROGRAM, "S1002 rail.slcs")
-      .expect_refusal({"rail.slcs: allowed here is a file of one profile, not one of slices along "
+      .expect_refusal({"rail.slcs: must be a file of one profile here, not one of slices along "
                        "the track"});
   run(WRC_REPORT_PROGRAM, "S1002 60E1 --set track.left.rail=54E3")
       .expect_refusal({"track.left.rail", "WHEEL and RAIL"});

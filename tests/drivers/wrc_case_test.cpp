@@ -349,10 +349,10 @@ TEST_F(WrcCase, ProfilePathsAreRelativeToTheSceneFile) {
 
 TEST_F(WrcCase, RefusesUnknownKeysAndBadValues) {
   run("--set pose.sideways=1").expect_refusal({"pose.sideways", "pose.lateral"});
-  run("--set pose.lateral=20000").expect_refusal({"pose.lateral = 20000", "-1e4 to 1e4"});
+  run("--set pose.lateral=20000").expect_refusal({"pose.lateral = 20000", "between -1e4 and 1e4"});
   run("--set solve.results=[stress,wear]").expect_refusal({"blanks between them"});
   run("--set pose.lateral=5mm").expect_refusal({"pose.lateral = \"5mm\": not a number"});
-  run("--set pose.lateral=far").expect_refusal({"pose.lateral = \"far\"", "-1e4 to 1e4"});
+  run("--set pose.lateral=far").expect_refusal({"pose.lateral = \"far\"", "between -1e4 and 1e4"});
   run("--set solve.side=middle").expect_refusal({"solve.side", "middle", "\"left\""});
   run("--set solve.grid=[0,8]").expect_refusal({"solve.grid = [0, 8]", "1 to 8192"});
   run("--set 'solve.grid=[\"a\",8]'").expect_refusal({"solve.grid", "numbers"});

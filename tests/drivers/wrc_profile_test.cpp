@@ -163,7 +163,8 @@ TEST_F(WrcProfile, TurnsATiltedWheel) {
         run_json(std::string("tilted.wheel --strict --compare straight.wheel ") + how);
     EXPECT_LT(std::abs(straight.at("comparison").at("largest").get<double>()), 5e-3) << how;
   }
-  run("tilted.wheel --align nowhere").expect_refusal({"align_to = nowhere", "allowed"});
+  run("tilted.wheel --align nowhere")
+      .expect_refusal({"align_to = nowhere", "must be a built-in profile"});
   run("tilted.wheel --rotate 30").expect_refusal({"--rotate", "30"});
   run("S1002 --align S1002").expect_refusal({"--align", "built in"});
 }

@@ -44,12 +44,13 @@ TEST_F(WrcTable, HelpStatesTheRangesOfItsOptions) {
     ASSERT_NE(line, std::string::npos) << help;
     const std::string text = help.substr(line, help.find("\n  --", line + 1) - line);
     EXPECT_NE(text.find(range), std::string::npos) << text;
-    run(std::string("a.table --") + option + ' ' + beyond).expect_refusal({option, " to "});
+    run(std::string("a.table --") + option + ' ' + beyond)
+        .expect_refusal({option, "must be between "});
   }
 }
 
 TEST_F(WrcTable, RefusesMistakes) {
-  run("a.table --fineness 9").expect_refusal({"fineness = 9", "0.2 to 4"});
+  run("a.table --fineness 9").expect_refusal({"fineness = 9", "between 0.2 and 4"});
   run("none.table --show").expect_refusal({"none.table"});
   write("scene.toml", "[pose]\nyaw = 0.001\n");
   run("scene.toml").expect_refusal({"scene.toml", "is no table", "--scene"});

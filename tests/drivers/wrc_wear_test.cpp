@@ -40,7 +40,7 @@ TEST_F(WrcWear, RefusesMistakesBeforeItSolves) {
   run("--distance 1 --plot a.pdf").expect_refusal({"--plot a.pdf", ".png"});
   write("flat.SLCW", "not read\n");
   run("--distance 1 --wheel flat.SLCW")
-      .expect_refusal({"flat.SLCW: allowed here is a file of one profile, not one of slices around "
+      .expect_refusal({"flat.SLCW: must be a file of one profile here, not one of slices around "
                        "the wheel"});
   run("--distance 1 --rail rail.SLCS").expect_refusal({".rail = rail.SLCS", "in a mission"});
   run("--distance 1 --set track.left.rail=rail.slcs")

@@ -122,14 +122,14 @@
 %! rail = wrc_profile ('60E1');
 %! points = [rail.lateral, rail.height];
 %! cases = {{'pose.latera', 5}, 'unknown_name', 'nearest: pose.lateral;';
-%!          {'pose.lateral', 2e4}, 'invalid_argument', 'pose.lateral = 20000: allowed is -1e4 to 1e4 mm';
+%!          {'pose.lateral', 2e4}, 'invalid_argument', 'pose.lateral = 20000: must be between -1e4 and 1e4 mm';
 %!          {'pose.lateral', 100}, 'no_contact', 'wheel off the rail';
 %!          {'track.rail', 'no/such.txt'}, 'unknown_name', 'no/such.txt';
 %!          {'track.rail', file}, 'file_malformed', file;
 %!          {'pose.lateral'}, 'invalid_argument', 'a value is missing';
-%!          {'pose.lateral', {5}}, 'invalid_argument', 'allowed are real numbers';
-%!          {'pose.lateral', 5i}, 'invalid_argument', 'allowed are real numbers';
-%!          {5}, 'invalid_argument', 'allowed is a text';
+%!          {'pose.lateral', {5}}, 'invalid_argument', 'must be real numbers';
+%!          {'pose.lateral', 5i}, 'invalid_argument', 'must be real numbers';
+%!          {5}, 'invalid_argument', 'must be a text';
 %!          {'threads', 0}, 'invalid_argument', 'threads';
 %!          {'threads', NaN}, 'invalid_argument', 'threads';
 %!          {'track.rail', [1 2; 3 4; 5 6]}, 'invalid_argument', '3 points';
@@ -150,7 +150,7 @@
 %! fail ("wrc_profile ('no/such.txt')", 'no/such.txt');
 %! [~, identifier] = lasterr ();
 %! assert (identifier, 'wrcontact:file_unreadable');
-%! fail ("wrc_profile ('S1002', 1)", 'points: allowed is 2 to 1e7');
+%! fail ("wrc_profile ('S1002', 1)", 'points: must be between 2 and 1e7');
 %! assert (wrc_solve ().status, 'ok'); # after all of these
 
 %!test <*results that miss the accuracy come with a warning>

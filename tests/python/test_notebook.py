@@ -103,10 +103,10 @@ def test_panels_are_drawn_on_axes_of_the_caller():
     assert not axes[3].has_data()
     wrcontact.Profile("S1002").plot(ax=axes[3])
     assert axes[3].has_data()
-    with pytest.raises(wrcontact.InvalidArgument, match="panel is 'stress'; allowed are outlines"):
+    with pytest.raises(wrcontact.InvalidArgument, match="panel is 'stress'; must be one of outlines"):
         result.plot(ax=axes[0], panel="stress")
     one = wrcontact.solve(side="left", accuracy=1e-2)
-    with pytest.raises(wrcontact.InvalidArgument, match="side is 'right'; allowed are left"):
+    with pytest.raises(wrcontact.InvalidArgument, match="side is 'right'; must be left"):
         one.plot(ax=axes[0], side="right")
 
 

@@ -30,7 +30,7 @@ Number number_of(const std::string& word, const std::string& name, Permits&& per
   Number value{};
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc() || end != word.data() + word.size() || !permits(value)) {
-    throw WrongArgument(name + " = \"" + word + "\": allowed is " + allowed);
+    throw WrongArgument(name + " = \"" + word + "\": must be " + allowed);
   }
   return value;
 }

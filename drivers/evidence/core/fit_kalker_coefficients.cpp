@@ -402,7 +402,7 @@ int choose(const evidence::Arguments& arguments) {
     const int parts = arguments.whole(3, "PARTS", 1);
     const int part = arguments.whole(2, "PART", 0, 0);
     if (part >= parts) {
-      throw evidence::WrongArgument("PART = " + std::to_string(part) + ": allowed is 0 to " +
+      throw evidence::WrongArgument("PART = " + std::to_string(part) + ": must be between 0 and " +
                                     std::to_string(parts - 1));
     }
     return take_samples(arguments.text(1), static_cast<std::size_t>(part),
@@ -420,7 +420,7 @@ int choose(const evidence::Arguments& arguments) {
     return quick();
   }
   throw evidence::WrongArgument('"' + task +
-                                "\": allowed is sample FILE [PART PARTS], fit FILE... or quick");
+                                "\": must be sample FILE [PART PARTS], fit FILE... or quick");
 }
 
 } // namespace

@@ -44,7 +44,7 @@ std::map<std::string, double> read_baselines(const fs::path& path) {
   for (const auto& [key, node] : read_toml("baseline file", path.string())) {
     const auto number = number_of(node);
     if (!number) {
-      throw Failure(path.string() + ": " + std::string(key.str()) + ": allowed is a number");
+      throw Failure(path.string() + ": " + std::string(key.str()) + ": must be a number");
     }
     values.emplace(key.str(), *number);
   }
@@ -59,7 +59,7 @@ std::vector<Check> expectations(const toml::table& entry, const Check& model) {
       const auto number = number_of(node);
       if (!number) {
         throw Failure("case " + model.name + ": expect." + std::string(key.str()) + " = " +
-                      text_of(node) + ": allowed is a number");
+                      text_of(node) + ": must be a number");
       }
       Check& check = checks.emplace_back(model);
       check.result = key.str();

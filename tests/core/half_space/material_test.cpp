@@ -36,7 +36,7 @@ TEST(Material, RefusesConstantsOutsideTheirRange) {
       [&] {
         combined_modulus(steel, {210000.0, 0.6});
       },
-      "rail.poisson = 0.6: must lie in 0 to 0.5");
+      "rail.poisson = 0.6: must be between 0 and 0.5");
 }
 
 TEST(Material, ADifferenceWithoutEffectCountsAsNone) {

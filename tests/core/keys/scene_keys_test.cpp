@@ -41,14 +41,14 @@ TEST(SceneKeys, EveryKeyRefusesForbiddenValuesAndNamesAllowedOnes) {
       const std::string text =
           error_text([&] { set_number(scene, key.name, value); }, ErrorCode::invalid_argument);
       EXPECT_NE(text.find(key.name), std::string::npos) << text;
-      EXPECT_NE(text.find(key.allowed), std::string::npos) << text;
+      EXPECT_NE(text.find(must_be(key.allowed)), std::string::npos) << text;
     };
     refuse_number(std::numeric_limits<double>::quiet_NaN());
     refuse_number(1e300);
     refuse_number(-1e300);
     const std::string text =
         error_text([&] { set_text(scene, key.name, ""); }, ErrorCode::invalid_argument);
-    EXPECT_NE(text.find(key.allowed), std::string::npos) << text;
+    EXPECT_NE(text.find(must_be(key.allowed)), std::string::npos) << text;
     const std::array<double, 5> five{1.0, 2.0, 3.0, 4.0, 5.0}; // no list has as many
     error_text([&] { set_numbers(scene, key.name, five); }, ErrorCode::invalid_argument);
   }
@@ -61,15 +61,16 @@ TEST(SceneKeys, RangesAreStatedInTheUnitsAndFrameOfTheCaller) {
     const char* text;
   };
   constexpr std::array<Refused, 7> refused{{
-      {"pose.lateral", 30.0, "pose.lateral = 30: allowed is -10 to 10 m"},
-      {"track.gauge", 1435.0, "track.gauge = 1435: allowed is 0.6 to 1.7 m"},
-      {"motion.speed", 2e4, "motion.speed = 20000: allowed is -1000 to 1000 m/s, or \"none\""},
-      {"material.youngs_modulus", 1e300, "allowed is 1e+06 to 1e+15 Pa"},
-      {"creepage.spin", 1e300, "allowed is -10000 to 10000 1/m, or \"none\""},
-      {"pose.yaw", 3.0, "pose.yaw = 3: allowed is -0.2 to 0.2 rad"},
+      {"pose.lateral", 30.0, "pose.lateral = 30: must be between -10 and 10 m"},
+      {"track.gauge", 1435.0, "track.gauge = 1435: must be between 0.6 and 1.7 m"},
+      {"motion.speed", 2e4,
+       "motion.speed = 20000: must be between -1000 and 1000 m/s, or \"none\""},
+      {"material.youngs_modulus", 1e300, "must be between 1e+06 and 1e+15 Pa"},
+      {"creepage.spin", 1e300, "must be between -10000 and 10000 1/m, or \"none\""},
+      {"pose.yaw", 3.0, "pose.yaw = 3: must be between -0.2 and 0.2 rad"},
       // not a range alone: the value in mm beside the range in mm
       {"track.rail_smoothing", 3.0,
-       "= 3 (in mm, N, MPa, y left, z up: 3000): allowed is \"auto\", or 0 (none) to 100 mm"},
+       "= 3 (in mm, N, MPa, y left, z up: 3000): must be \"auto\", or 0 (none) to 100 mm"},
   }};
   Scene scene;
   scene.convention.units = Units::si;
@@ -83,8 +84,8 @@ TEST(SceneKeys, RangesAreStatedInTheUnitsAndFrameOfTheCaller) {
     const std::string text =
         error_text([&] { set_number(scene, "pose.vertical", 460.0); }, ErrorCode::invalid_argument);
     EXPECT_EQ(text, frame == TrackFrame::left_up
-                        ? "pose.vertical = 460: allowed is \"solve\" or -10 to 20 m"
-                        : "pose.vertical = 460: allowed is \"solve\" or -20 to 10 m");
+                        ? "pose.vertical = 460: must be \"solve\" or -10 to 20 m"
+                        : "pose.vertical = 460: must be \"solve\" or -20 to 10 m");
   }
 }
 
@@ -115,20 +116,20 @@ TEST(SceneKeys, ATextWhereANumberBelongsIsReportedAsOne) {
     return error_text([&] { set_text(scene, key, value); }, ErrorCode::invalid_argument);
   };
   EXPECT_EQ(text_of_refusal("pose.lateral", "5"),
-            "pose.lateral = \"5\": a text; write the number without quotes; allowed is -1e4 to "
-            "1e4 mm");
+            "pose.lateral = \"5\": a text; write the number without quotes; must be between -1e4 "
+            "and 1e4 mm");
   for (const char* wrong : {"5mm", "0,005", "-1.5.", "1e"}) {
     EXPECT_EQ(text_of_refusal("pose.lateral", wrong),
               "pose.lateral = \"" + std::string(wrong) +
-                  "\": not a number; allowed is -1e4 to 1e4 mm");
+                  "\": not a number; must be between -1e4 and 1e4 mm");
   }
   EXPECT_EQ(text_of_refusal("pose.lateral", "far"),
-            "pose.lateral = \"far\": allowed is -1e4 to 1e4 mm");
+            "pose.lateral = \"far\": must be between -1e4 and 1e4 mm");
   EXPECT_EQ(text_of_refusal("solve.side", "5"),
-            "solve.side = \"5\": allowed is \"both\", \"left\" or \"right\"");
+            "solve.side = \"5\": must be \"both\", \"left\" or \"right\"");
   set_text(scene, "convention.units", "SI");
   EXPECT_EQ(text_of_refusal("pose.lateral", "5mm"),
-            "pose.lateral = \"5mm\": not a number; allowed is -10 to 10 m");
+            "pose.lateral = \"5mm\": not a number; must be between -10 and 10 m");
 }
 
 TEST(SceneKeys, AModelNoLongerThereNamesABetterOne) {

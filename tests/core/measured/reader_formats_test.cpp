@@ -198,12 +198,12 @@ TEST(SimpackReader, RefusesBrokenFiles) {
   EXPECT_TRUE(contains(refusal("spline.begin\npoint.begin\n1 2\nspline.end\n"),
                        "sample:4: 'spline' ends, but 'point' is open"));
   EXPECT_TRUE(contains(refusal("what\n"), "sample:1: 'what' is neither"));
-  EXPECT_TRUE(contains(refusal("header.begin\ntype = 2\n"), "allowed: 0 rail, 1 wheel"));
+  EXPECT_TRUE(contains(refusal("header.begin\ntype = 2\n"), "must be 0 (rail) or 1 (wheel)"));
   EXPECT_TRUE(contains(refusal(simpack("1\n", "", 1)), "1 columns"));
   EXPECT_TRUE(contains(refusal(simpack("1 2 3 4\n", "", 1)), "4 columns"));
   EXPECT_TRUE(contains(refusal(simpack("1 inf\n", "", 1)), "'inf' is not a finite number"));
   EXPECT_TRUE(
-      contains(refusal(simpack(rows, "mirror.y = 2\n", 1)), "mirror.y = 2, allowed: 0 or 1"));
+      contains(refusal(simpack(rows, "mirror.y = 2\n", 1)), "mirror.y = 2, must be 0 or 1"));
   EXPECT_TRUE(contains(refusal(simpack(rows, "units.len.f = 0\n", 1)), "must be positive"));
   EXPECT_TRUE(contains(refusal(simpack(rows, "shift.y = x\n", 1)), "'x' is not a number"));
   EXPECT_TRUE(
@@ -254,7 +254,7 @@ TEST(SimpackReader, ReadsTheNamedUnitOfOldFiles) {
   EXPECT_LT(distance_at(read.profile.curve, wheel_points()), rounding);
   EXPECT_TRUE(
       contains(refusal_of(simpack(wheel_rows(), " units.len = feet\n", 1), ProfileFormat::simpack),
-               "units.len = feet, allowed: m, cm, mm"));
+               "units.len = feet, must be m, cm or mm"));
 }
 
 // MiniProf
@@ -418,13 +418,13 @@ TEST(MiniprofReader, ReadsTheProfilesOfAProjectFile) {
   }
   options.slice = 0;
   EXPECT_NO_THROW((void)read_as(ProfileFormat::miniprof, miniprof_project(1), "a.mpt", options));
-  EXPECT_TRUE(
-      contains(refusal_of(miniprof_project(2), ProfileFormat::miniprof, options),
-               "slice = 0, allowed is 1 to 2 of its 2 profiles: 1 [Profile1Points] of 35 points, "
-               "2 [Profile2Points] of 35 points"));
+  EXPECT_TRUE(contains(
+      refusal_of(miniprof_project(2), ProfileFormat::miniprof, options),
+      "slice = 0, must be between 1 and 2 of its 2 profiles: 1 [Profile1Points] of 35 points, "
+      "2 [Profile2Points] of 35 points"));
   options.slice = 4;
   EXPECT_TRUE(contains(refusal_of(miniprof_project(3), ProfileFormat::miniprof, options),
-                       "slice = 4, allowed is 1 to 3"));
+                       "slice = 4, must be between 1 and 3"));
 }
 
 TEST(MiniprofReader, SectionsSayWhichBodyTheyAre) {

@@ -168,13 +168,13 @@ TEST(Readers, APointThatIsNotFiniteIsNamedWithItsCoordinate) {
   test::expect_error(
       ErrorCode::invalid_argument,
       [&] { (void)profile_through(points, "points", wheel_options()); },
-      "points: point 40: height = nan, allowed are finite numbers");
+      "points: point 40: height = nan, must be finite");
   points[40][1] = 0.0;
   points[7][0] = -std::numeric_limits<double>::infinity();
   test::expect_error(
       ErrorCode::invalid_argument,
       [&] { (void)profile_through(points, "points", wheel_options()); },
-      "points: point 7: lateral = -inf, allowed are finite numbers");
+      "points: point 7: lateral = -inf, must be finite");
 }
 
 TEST(Readers, ANumberOfASliceIsRefusedWithAFileOfOneProfile) {

@@ -35,16 +35,16 @@ TEST(Slices, RefuseMalformedFiles) {
   refuses("", "a.slcs: ends before offset and scale");
   refuses("0 1\n2\n", "ends before the number of features");
   refuses("0\n", "a.slcs:1: offset and scale of the places expected");
-  refuses("0 1\n0\n", "0 slices, allowed are 1 to 4999");
-  refuses("0 1\n1.5\n", "1.5 slices, allowed are 1 to 4999");
+  refuses("0 1\n0\n", "0 slices, must be between 1 and 4999");
+  refuses("0 1\n1.5\n", "1.5 slices, must be between 1 and 4999");
   refuses("0 1\n1\n1\n1\n0 a.prr\n",
           "a.slcs:5: '0 a.prr', expected a position and a file in quotes");
   refuses("0 1\n2\n1\n1\n0 'a'\n0 'b'\n", "place 0 after 0, places must ascend");
   refuses("x 1\n", "'x' is not a number");
-  refuses("0 1\n1\n1\n3\n0 'a'\n", "interpolation 3, allowed are 1 and 2");
+  refuses("0 1\n1\n1\n3\n0 'a'\n", "interpolation 3, must be 1 or 2");
   refuses("0 1\n1 % slices\n1\n1\n0 'a'\n\n1 'b'\n2 'c'\n",
           "a.slcs:7: '1 'b'' after slice 1, the last of 1 that line 2 states");
-  refuses("0 1e10\n2\n1\n1\n0 'a'\n1 'b'\n", "place 1e+10, allowed are -1e+09 to 1e+09");
+  refuses("0 1e10\n2\n1\n1\n0 'a'\n1 'b'\n", "place 1e+10, must be between -1e+09 and 1e+09");
 }
 
 TEST(Slices, HaveFeaturesThatMayBeAbsent) {
@@ -81,7 +81,7 @@ TEST(Slices, RefuseMalformedFeatures) {
   refuses("2", "0 0 1\n5 0 1\n6 0 1\n",
           "a.slcs:9: '6 0 1' after the features of slice 2, the last of 2 that line 2 states");
   refuses("0", "% features\nmore\n", "a.slcs:8: 'more' after slice 2, the last of 2");
-  refuses("201", "", "201 features, allowed are 0 to 200");
+  refuses("201", "", "201 features, must be between 0 and 200");
   refuses("1.5", "", "1.5 features");
   refuses("-1", "", "-1 features");
   refuses("3 1 0", "", "has kinks or accelerations");
@@ -120,7 +120,7 @@ TEST_F(SlicesFile, OneSliceIsReadAsAProfile) {
     test::expect_error(
         ErrorCode::file_malformed, [&] { (void)read_profile(path, options); }, part);
   };
-  refuses(0, "slice = 0, allowed is 1 to 2 of its 2 slices: 1 at 0 mm 'a.txt'");
+  refuses(0, "slice = 0, must be between 1 and 2 of its 2 slices: 1 at 0 mm 'a.txt'");
   refuses(3, "slice = 3");
   refuses(2, "a slice is itself a slices file");
 }

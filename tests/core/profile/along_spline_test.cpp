@@ -150,7 +150,7 @@ TEST(AlongSpline, RefusesWhatIsNoListOfPlaces) {
   refuses({1.0, 1.0}, 0.0, 0.0, "place of slice 2");
   refuses({0.0, NAN}, 0.0, 0.0, "place of slice 2");
   refuses({0.0, 7.0}, 0.0, revolution,
-          "allowed is less than one revolution, 6.283: leave out the last slice");
+          "must be less than one revolution, 6.283: leave out the last slice");
   refuses({0.0, 1.0}, -1.0, 0.0, "smoothing length along = -1");
   refuses({0.0, 1.0, 2.0, 3.0, 4.0, 5.0}, 1e9, 0.0,
           "at most 1000 distances of the closest knots, 1");

@@ -165,7 +165,8 @@ TEST_F(VaryingScene, RefusesWhatSlicesAndWavesCannotHave) {
   expect_error(ErrorCode::invalid_argument, solve, "profile_shift");
   scene = Scene();
   scene.left.wheel.harmonics = {{700, 0.02, 0.0}};
-  expect_error(ErrorCode::invalid_argument, solve, "wheelset.harmonics = 700", "12 mm");
+  expect_error(ErrorCode::invalid_argument, solve, "wheelset.harmonics: order 700",
+               "at least 12 mm");
   scene.left.wheel.harmonics = {{10, 20.0, 0.0}};
   expect_error(ErrorCode::invalid_argument, solve, "wheelset.harmonics = 20", "slopes");
 }

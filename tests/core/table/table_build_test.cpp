@@ -74,8 +74,9 @@ TEST(TableBuild, RefusesWhatATableCannotHave) {
   EXPECT_NE(message_of(scene_of_small_table(), large).find("MB"), std::string::npos);
   TableOptions wrong = options;
   wrong.fineness = 7.0;
-  EXPECT_NE(message_of(scene_of_small_table(), wrong).find("fineness = 7: allowed is 0.2 to 4"),
-            std::string::npos);
+  EXPECT_NE(
+      message_of(scene_of_small_table(), wrong).find("fineness = 7: must be between 0.2 and 4"),
+      std::string::npos);
 }
 
 } // namespace

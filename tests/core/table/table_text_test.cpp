@@ -41,7 +41,7 @@ TEST(TableText, RefusalsAreInTheUnitsOfTheScene) {
   options.ranges.lateral = 40.0;
   expect_error(
       ErrorCode::invalid_argument, [&] { (void)build_table(scene, options, SceneSolver()); },
-      "lateral = 0.04 m: allowed is 5e-04 m to 0.03 m");
+      "lateral = 0.04 m: must be between 5e-04 m and 0.03 m");
 }
 
 } // namespace

@@ -30,7 +30,7 @@ TEST(DepthChecks, ADepthOfBodiesThatDoNotFaceEachOtherIsRefused) {
   for (const double depth : {1002.5, 50.0, -50.0, -1002.5}) {
     expect_error(
         ErrorCode::no_contact, [&] { check_found_depth(loaded(7e3), depth); }, "7000 N",
-        "allowed is less than 50 mm");
+        "must be less than 50 mm");
   }
   EXPECT_NO_THROW(check_found_depth(loaded(7e3), 49.9));
   WheelRequest prescribed;
