@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compares README.md and docs with the sources, without building anything.
+"""Compares README.md, docs and pages beside the code with the sources, without building anything.
 
 Usage: scripts/check_docs.py [--update]
 
@@ -18,7 +18,8 @@ from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parent.parent
 PAGES = ["README.md", "CONTRIBUTING.md",
-         *sorted(str(page.relative_to(PROJECT)) for page in (PROJECT / "docs").rglob("*.md"))]
+         *sorted(str(page.relative_to(PROJECT)) for folder in ("docs", "cxx_core", "drivers")
+                 for page in (PROJECT / folder).rglob("*.md"))]
 FOLDERS = ("c_api|cxx_core|docs|drivers|fortran_bindings|octave_bindings|packaging|profiles|"
            "python_bindings|scripts|tests")
 failures = []

@@ -61,7 +61,8 @@ NAMES = [
     (r"\bof (?:its|their) own\b", "separate"),
     (r"\bby (?:itself|themselves)\b", "separately"),
 ]  # further patterns for names of tests
-SEARCHED = ["README.md", "CONTRIBUTING.md", "SECURITY.md", "docs/*.md", "docs/evidence/*.md", "tests/README.md",
+SEARCHED = ["README.md", "CONTRIBUTING.md", "SECURITY.md", "docs/*.md", "docs/evidence/*.md",
+            "cxx_core/*/README.md", "drivers/evidence/README.md", "tests/README.md",
             "c_api/*.hpp", "c_api/*.cpp", "c_api/include/*", "fortran_bindings/*", "octave_bindings/*.m",
             "octave_bindings/*.c", "python_bindings/wrcontact/*.py", "python_bindings/examples/*.py",
             "drivers/*.cpp", "drivers/*.hpp", "drivers/*.f90", "drivers/*.f", "drivers/*.toml", "cxx_core/*.hpp",

@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.."
 root=$(mktemp -d)
 trap 'rm -rf --one-file-system "$root"' EXIT
 debootstrap --variant=minbase bookworm "$root" >/dev/null
-cp -r --parents build/packages/*.deb build/wheelhouse/*.whl docs/tutorial-*.md tests/readme/run_tutorial.py "$root"
+cp -r --parents build/packages/*.deb build/wheelhouse/*.whl docs/{first-scene,fortran,python}.md tests/readme/run_tutorial.py "$root"
 for page in build python octave; do
   awk '/^<!-- packages -->$/ { marked = 1 }
     marked && /^```$/ { if (++fences == 2) exit; next }
@@ -43,7 +43,7 @@ for page in python octave; do
   }
 done
 apt-get install --no-install-recommends /build/packages/*.deb gfortran python3-matplotlib python3-xarray >/dev/null
-for tutorial in /docs/tutorial-*.md; do
+for tutorial in /docs/{first-scene,fortran,python}.md; do
   (cd / && python3 /tests/readme/run_tutorial.py "$tutorial" /usr /try /usr/lib/python3/dist-packages)
 done
 rm -r /try

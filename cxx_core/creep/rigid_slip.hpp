@@ -10,7 +10,7 @@
 ///
 /// which is linear in x. The tangent is that of the deformed surface, of like bodies the mean of
 /// rail and wheel. The height is that of the wheel before it deforms, whose rolling radius it gives
-/// row by row, or of the mean surface (SlipSurface; docs/creep.md says which and why).
+/// row by row, or of the mean surface (SlipSurface; cxx_core/creep/README.md says which and why).
 ///
 /// Rows along a curve (patches/contact_curve.hpp) have the same formulas, with y, h and b where
 /// their rays meet the surface. The creepages' spin counts with the arc

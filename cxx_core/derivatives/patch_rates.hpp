@@ -15,7 +15,7 @@
 /// moves.
 ///
 /// Rows along a curve (patches/contact_curve.hpp) stay on it where elements move, and turn with it;
-/// the curve itself stays in the track, since it counts to second order only.
+/// the curve itself stays in the track, since its motion has only a second-order effect.
 ///
 /// The position is that of the pair, at which the pressures have the approach 0.
 /// At constant vertical load the height follows: dz/dq = -(dF_z/dq) / (dF_z/dz), and

@@ -1,4 +1,4 @@
-/// What a surface that varies does between its slices which they do not say.
+/// Checks a varying surface for swings between its slices.
 ///
 /// A cubic spline along swings beside steps and kinks: between two slices the surface is then above
 /// both of them, or below both. A crest between two slices is above both as well; with second

@@ -3,8 +3,8 @@
 /// Rows of equal y are fixed to the wheelset, every 0.5 mm. On each the vertical distance g(x, y)
 /// (gap_field.hpp) has one or more least values, where g_x = 0: on a nose and a wing, or at both
 /// ends of a flat. A coarse scan over x and y finds them, Newton's method settles them and follows
-/// each from row to row: a chain is what the contact locus is to bodies that do not vary, and takes
-/// its place as a scan. Its local minima, where g_y = 0 as well, are the candidates of contact.
+/// each from row to row: a chain plays the role of the contact locus
+/// for varying bodies. Its local minima, where g_y = 0 as well, are the candidates of contact.
 ///
 /// A sample's curvature is that of the parabola through the two places on its row where the
 /// distance is larger by a typical depth, since the distance itself is no parabola at the end of a

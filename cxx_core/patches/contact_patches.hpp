@@ -16,8 +16,8 @@
 /// Separation of two neighbours, without dimension:
 ///   D = gap / larger width                                 if they are apart,
 ///   D = -(least penetration between) / (deepest of the shallower one)      if they are connected.
-/// Closeness w = 1 for D <= D_join, 0 for D >= D_apart, smooth in between; both limits fall
-/// as the planes of the two differ more. w = 1: joined, on one grid. 0 < w < 1: planes turned
+/// The coupling weight is w = 1 for D <= D_join, 0 for D >= D_apart, smooth in between; both limits
+/// fall as the planes of the two differ more. w = 1: joined, on one grid. 0 < w < 1: planes turned
 /// towards each other by the fraction w, so that nothing jumps as two patches become one.
 ///
 /// Where planes differ little, the distance d of the penetrations in the cross-section counts, too,
@@ -34,9 +34,9 @@
 /// definite. On a convex rail the true displacement is larger, on a concave wheel smaller; together
 /// they are within 4 % at 8 mm (docs/evidence/half-space.md). Interaction::near takes w instead, as
 /// CONTACT does, which leaves patches beyond 2 d_j uncoupled. In its case extreme-160, two
-/// patches 10.5 mm apart in planes 0.04 rad apart, the small one then carries 64 % more. Patches
-/// further on are as close as the weakest link between: such an (ultrametric) matrix has no
-/// negative eigenvalue.
+/// patches 10.5 mm apart in planes 0.04 rad apart, the small one then carries 64 % more. The
+/// coupling of distant patches is that of the weakest link between them: such an (ultrametric)
+/// matrix has no negative eigenvalue.
 ///
 /// The angle of a plane is the mean over all levels between 0 and 1 of the plane of the patches
 /// that turn at least that far towards each other, which for two is angle = own + turn (mean of

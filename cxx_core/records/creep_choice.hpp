@@ -5,7 +5,7 @@
 
 namespace wrc {
 
-/// How creep forces are computed: the ladder of docs/cheaper-models.md. Closed formulas and FASTSIM
+/// How creep forces are computed: the ladder of docs/creep.md. Closed formulas and FASTSIM
 /// stand on the Hertzian ellipse with the patch's second moments of pressure; the full theory on
 /// its own pressures.
 enum class CreepModel { none, linear, shen_hedrick_elkins, polach, fastsim, full };

@@ -45,7 +45,7 @@ struct WheelRequest : WheelOptions {
   std::optional<double> vertical;      ///< height of the wheelset's centre, mm
   Elements elements = Elements::smooth;
   int maximum_iterations = 5000;
-  bool creep_forces = false; ///< whether the pressures are to serve creep forces, too
+  bool creep_forces = false; ///< whether pressures are also used for creep forces
   bool stresses = false;     ///< likewise the largest stress below them
 
   [[nodiscard]] bool position_is_prescribed() const { return vertical.has_value(); }

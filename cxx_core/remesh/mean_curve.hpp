@@ -4,11 +4,11 @@
 ///   m = (g_r + g_w) / 2
 /// is the curve. Bodies that are alike deform to it, and both are inclined to it by the same small
 /// angle, half the slope of the gap between them: rows need no scale (remesh/row_scales.hpp), and
-/// which curve is taken exactly counts to second order. Points are equally spaced over the plane,
-/// with the slopes of both surfaces there. Below 1 `share` is the part taken of its heights and
-/// slopes: anything from the plane to the curve, continuous in the share.
-/// Units mm; frame of patches/contact_frame.hpp. Thread rule: a pure function.
-/// Not known here: curvature along the rail, which the half-space neglects.
+/// the exact choice of the curve has only a second-order effect. Points are equally spaced over the
+/// plane, with the slopes of both surfaces there. Below 1 `share` is the part taken of its heights
+/// and slopes: anything from the plane to the curve, continuous in the share. Units mm; frame of
+/// patches/contact_frame.hpp. Thread rule: a pure function. Not known here: curvature along the
+/// rail, which the half-space neglects.
 #pragma once
 
 #include <memory>

@@ -9,10 +9,9 @@
 /// discretisation, since sum p dh/ds vanishes along the plane). A pressure on dA so pushes with p f
 /// dA at that end. Rows along a curve have the normals of the curve. With the surface inclined by
 /// beta to the plane f = n - tan(beta) t, t the plane's lateral axis: the plane's own direction
-/// counts to second order only. A prismatic rail takes no force along itself, one that rises does.
-/// Units mm, N, MPa;
-/// track frame, left-hand side (geometry/frames.hpp). Thread rule: pure functions. Not known here:
-/// friction.
+/// has only a second-order effect. A prismatic rail takes no force along itself, one that rises
+/// does. Units mm, N, MPa; track frame, left-hand side (geometry/frames.hpp). Thread rule: pure
+/// functions. Not known here: friction.
 #pragma once
 
 #include <cmath>

@@ -22,7 +22,7 @@
 ///     kA and kS stand for the stiffness in adhesion and slip, 1 for clean surfaces. There is no
 ///     moment in it. The sign of K is the one that makes the limit that of the linear theory, from
 ///     which it still differs where xi and phi come together.
-/// How far off they are: docs/cheaper-models.md. Thread rule: pure functions.
+/// How far off they are: docs/creep.md. Thread rule: pure functions.
 #pragma once
 
 #include "rolling/kalker_coefficients.hpp"

@@ -13,7 +13,7 @@
 /// which on ellipses is nearer to the full theory than Kalker's. The flexibilities are chosen so
 /// that Fx of xi, Fy of eta and Fy of phi are right without slip. What the theory does not know:
 /// elements act on none but themselves. Its error does not fall with its grid; the slip speeds are
-/// its weakest results (docs/cheaper-models.md).
+/// its weakest results (docs/creep.md).
 /// Thread rule: pure functions.
 #pragma once
 

@@ -15,7 +15,7 @@ struct ModelChoice {
   std::string reason;
 };
 
-/// `model` "auto" takes the half-space: see docs/cheaper-models.md.
+/// `model` "auto" takes the half-space: see docs/evidence/models.md.
 ModelChoice choose_model(const Scene& scene);
 
 } // namespace wrc

@@ -64,7 +64,7 @@ struct PatchCreep {
 /// The scene at this state. Throws Error(invalid_argument) that names the key whose range a number
 /// is out of, or one that has no forces, or with derivatives no derivatives.
 Scene scene_at(const Scene& scene, const VehicleState& state);
-/// What the next step of time starts from, of the result of one.
+/// State that the next time step starts from.
 std::shared_ptr<const ContactHistory> history_after(const SceneResult& result);
 /// From inside, with derivatives where they are given.
 WheelForces forces_to_caller(const WheelForce& total, const ForceJacobian* jacobian,

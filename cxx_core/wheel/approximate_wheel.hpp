@@ -9,7 +9,7 @@
 /// pressures are sampled at the element centres of a modest grid, or of the one given. Nothing is
 /// kept between calls. Units mm, N, MPa, rad; left-hand frame of the side. Thread rule: a pure
 /// function. Not known here: that patches displace each other; how far off the model is (validity
-/// says whether its assumptions hold, docs/cheaper-models.md what errors go with it).
+/// says whether its assumptions hold, docs/evidence/models.md what errors go with it).
 #pragma once
 
 #include "geometry/wheelset_equilibrium.hpp"

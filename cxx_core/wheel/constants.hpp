@@ -21,7 +21,7 @@ inline constexpr double coarse_tolerance = 3e-4;
 /// origin: measured (wrc_benchmark --case service): 7 at most are taken.
 inline constexpr int max_attempts = 20;
 
-/// The least that a step leaves of the depth.
+/// Smallest fraction of the depth kept by one step.
 /// origin: reasoned: keeps a first depth far too large from a step to below the first touch.
 inline constexpr double min_depth_ratio = 0.1;
 

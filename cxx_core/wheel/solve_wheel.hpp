@@ -15,7 +15,7 @@
 /// the load is the vertical one, and both count at each element with w, by how much its distance
 /// grows as the wheel is lifted (remesh/rail_normals.hpp): a step in depth is right to first order,
 /// planes and grids go with the wheel. Forces are sums over elements with the same directions, so
-/// they are derivatives of an energy, and the direction of a plane counts to second order only.
+/// they are derivatives of an energy, and the direction of a plane has only a second-order effect.
 /// With `curved` the rows of a patch lie along the mean curve of both bodies in place of its plane
 /// (remesh/mean_curve.hpp), with distances, shares and forces along its normals.
 /// Exceptions cost another solution each: loads that the rail's turn under the same pressures

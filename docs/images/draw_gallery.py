@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
-"""Runs the commands of docs/gallery.md and docs/jobs.md in empty folders and compares what they draw with docs/images.
+"""Runs the commands of docs/jobs.md in empty folders and compares what they draw with docs/images.
 
 Usage: docs/images/draw_gallery.py [--update] [--few] [BIN]
 
 BIN holds the programs, build/release/bin if it is missing. Without --update a picture fails that differs in more than
-five pixels of ten thousand (as committed, noise is below one), or in size; with it, it is replaced. With --few every fourth picture of
-the gallery is drawn, and docs/jobs.md is left out. A command follows <!-- picture -->, its picture the
+five pixels of ten thousand (as committed, noise is below one), or in size; with it, it is replaced. With --few every fourth of the
+pictures below is drawn, and the jobs are left out. A command follows <!-- picture -->, its picture the
 command; after <!-- picture: PROGRAM --> the picture is skipped where there is no such program, and a line says so.
-docs/jobs.md is run as a tutorial (tests/readme/run_tutorial.py); its pictures are what its commands draw, or those of
-the gallery. Needs gnuplot and python3-matplotlib.
+The jobs are run as a tutorial (tests/readme/run_tutorial.py), which draws the other pictures. Needs gnuplot and python3-matplotlib.
 """
 import argparse
 import os
@@ -51,7 +50,7 @@ def compared(drawn, picture, update):
 
 
 def check_jobs(programs, others, update):
-    """Pictures of docs/jobs.md, and how many of them are as committed; `others` are those of the gallery."""
+    """Pictures of the jobs, and how many of them are as committed; `others` are those below <!-- picture -->."""
     page = PROJECT / "docs/jobs.md"
     pictures = [name for name in re.findall(r"\]\(images/([\w.]+)\)", page.read_text(encoding="utf-8")) if name not in others]
     with tempfile.TemporaryDirectory() as name:
@@ -74,14 +73,15 @@ def check_jobs(programs, others, update):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--update", action="store_true", help="replace pictures that differ")
-    parser.add_argument("--few", action="store_true", help="every fourth picture of the gallery alone")
+    parser.add_argument("--few", action="store_true", help="every fourth picture, and no job")
     parser.add_argument("bin", nargs="?", default=PROJECT / "build/release/bin", type=Path)
     options = parser.parse_args()
-    page = (PROJECT / "docs/gallery.md").read_text(encoding="utf-8")
+    page = (PROJECT / "docs/jobs.md").read_text(encoding="utf-8")
     entries = ENTRY.findall(page)
-    if not entries or len(entries) != page.count("](images/"):
-        print(f"docs/gallery.md: {page.count('](images/')} pictures, {len(entries)} of them below their command")
+    if not entries or len(entries) != page.count("<!-- picture"):
+        print(f"docs/jobs.md: {page.count('<!-- picture')} pictures, {len(entries)} of them below their command")
         return 1
+    others = {picture for _, _, picture in entries}
     if options.few:
         entries = entries[1::4]
     good = skipped = 0
@@ -106,9 +106,8 @@ def main():
                 print(f"{picture}: not drawn: {done.stderr.strip()[-500:]}")
             else:
                 good += compared(drawn, picture, options.update)
-    others = {picture for _, _, picture in entries}
     count, good_jobs = (0, 0) if options.few else check_jobs(options.bin.resolve(), others, options.update)
-    print(f"{good} of {len(entries)} pictures of docs/gallery.md and {good_jobs} of {count} of docs/jobs.md are as committed")
+    print(f"{good} of {len(entries)} pictures of docs/jobs.md and {good_jobs} of {count} of its jobs are as committed")
     return 1 if good + skipped < len(entries) or good_jobs < count else 0
 
 

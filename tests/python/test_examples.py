@@ -10,9 +10,10 @@ import wrcontact
 from conftest import PROJECT
 
 EXAMPLES = sorted((PROJECT / "python_bindings/examples").glob("*.py"))
-PROGRAMS = {f"{page} {index}": program for page in ("README.md", "docs/languages.md", "docs/python.md")
+# Those below <!-- file: ... --> are run by tests/readme.
+PROGRAMS = {f"{page} {index}": program for page in ("README.md", "docs/python.md")
             for index, program in enumerate(re.findall(
-                r"```python\n(.*?)```", (PROJECT / page).read_text(encoding="utf-8"), re.S))}
+                r"(?<!-->\n)```python\n(.*?)```", (PROJECT / page).read_text(encoding="utf-8"), re.S))}
 
 
 @pytest.fixture(scope="module")
@@ -54,7 +55,7 @@ def test_programs_of_the_pages_run(name, run, wrc_case, tmp_path):
     assert printed
     for picture in tmp_path.glob("*.png"):
         size_of(picture)
-    if name in ("README.md 0", "docs/languages.md 0"):  # the pressure of the other languages
+    if name == "README.md 0":  # the pressure of the other languages
         expected = wrc_case({"pose.lateral": 3})["left.pmax"]
         assert float(re.search(r"pmax = (\S+) MPa", printed).group(1)) == expected
 

@@ -1,6 +1,7 @@
 # Takes the program in LANGUAGE from DOCUMENT, compiles it by the command that stands below it, with
 # the staged installation PREFIX for $W, in an empty FOLDER, runs it, and compares all digits of what
 # it prints with what WRC_CASE prints for the same scene. OPTIONS are added to the command.
+# With BUILT_LAYER the F77 layer is linked as it was built, in place of its source.
 # With REFUSED the program must fail instead, and print that. COMPILER replaces gfortran.
 cmake_minimum_required(VERSION 3.25)
 file(READ ${PROJECT}/${DOCUMENT} text)
@@ -13,6 +14,9 @@ if(NOT found)
 endif()
 set(program "${CMAKE_MATCH_1}")
 string(REPLACE "$W" "${PREFIX}" command "${CMAKE_MATCH_2}")
+if(BUILT_LAYER)
+  string(REGEX REPLACE "[^ ]*/wrcontact_f77.f90 (.*) -lwrcontact " "\\1 -lwrcontact_f77 -lwrcontact " command "${command}")
+endif()
 if(COMPILER)
   string(REGEX REPLACE "gfortran( -std=legacy)?" "${COMPILER}" command "${command}")
 endif()

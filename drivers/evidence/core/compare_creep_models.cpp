@@ -3,7 +3,7 @@
 //   compare_creep_models [CASES]      ellipses; a fifth of that number of each other patch; default
 //   500
 //
-// Prints the tables of docs/evidence/creep-models.md: of each model the root mean square and the
+// Prints the tables of docs/evidence/models.md: of each model the root mean square and the
 // largest error of Fx, Fy (in mu N) and Mz (in mu N c, c^2 the contact's area over pi), and the
 // median time of a call, processor's time of this thread. The reference is the full theory on 128 x
 // 64 elements.

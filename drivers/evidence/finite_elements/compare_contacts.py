@@ -4,7 +4,7 @@
     PYTHONPATH=build/release/python drivers/evidence/finite_elements/compare_contacts.py [--picture pressures.png]
     PYTHONPATH=build/release/python drivers/evidence/finite_elements/compare_contacts.py --case tread --mesh 1 --write results.json
 
-The first command prints the tables of docs/evidence/finite-elements.md: it solves the scenes by the library and compares them with the
+The first command prints the tables of docs/evidence/half-space.md: it solves the scenes by the library and compares them with the
 stored results of the finite elements (results.json beside this file). The second one computes one of these with CalculiX (ccx,
 Debian package calculix-ccx) and replaces it in the file: cases tread, lobes, corner; meshes 0 to 3 (coarse to fine); --material
 elastic, plastic or unyielding (as plastic, without yield). Needs numpy and scipy, the picture matplotlib. Methods: scenes.py, contact_mesh.py, figures.py.

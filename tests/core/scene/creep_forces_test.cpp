@@ -317,7 +317,7 @@ double moment_about_reference(const WheelResult& wheel, const nlohmann::json& pa
 
 // Cases with one patch. CONTACT's elements of 0.2 mm leave 0.3 % of mu N as a rule, up to 1.2 %;
 // moments of pure spin under 10 kN, which have one grid (wr55, wr61), 0.9 % of 1.3
-// (docs/evidence/validation-creep.md).
+// (docs/evidence/validation.md).
 TEST(CreepForces, WheelsOfCreepCases) {
   const nlohmann::json cases = creep_wheel_rail_cases();
   double squares = 0.0;

@@ -174,7 +174,7 @@ TEST(SlipByElement, EachLobeSlidesWithItsOwnSlip) {
   }
 }
 
-// What one plane for both lobes takes from them (docs/evidence/validation-creep.md): with three
+// What one plane for both lobes takes from them (docs/evidence/validation.md): with three
 // creepages along it the lesser lobe slides by other numbers than its own radius says.
 TEST(SlipByElement, DiffersFromAPlaneForTwoLobes) {
   Scene scene = sliding_lobes();

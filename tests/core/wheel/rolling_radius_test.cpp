@@ -1,5 +1,5 @@
 /// Which radius a deformed wheel rolls on: the stretch of a sphere's surface under its load, where
-/// slip by the half-space knows none (docs/creep.md, "Which height").
+/// slip by the half-space knows none (cxx_core/creep/README.md, "Which height").
 ///
 /// A sphere of radius 1 under Hertz's pressures at two opposite poles, as a series of Legendre
 /// polynomials (Lur'e, Three-Dimensional Problems of the Theory of Elasticity, 1964, ch. 6): with

@@ -51,7 +51,7 @@ double area_of(const WheelSolution& solution) {
   return area;
 }
 
-/// Limits are those where assumptions hold (docs/cheaper-models.md).
+/// Limits are those where assumptions hold (docs/evidence/models.md).
 void expect_right_or_warned(const WheelSolution& found, const WheelSolution& exact,
                             double pmax_error, double area_error, const std::string& name) {
   ASSERT_TRUE(found.validity) << name;
