@@ -162,15 +162,24 @@ void note_cut(const WheelSurface& wheel, const RailSurface& rail, double force_e
            estimate + ", and forces jump by about 1 % of the load as the contact passes"});
 }
 
-/// The patch, or its part, that has the largest pressure.
+/// The largest pressure that a patch, or one of its parts, may have.
+double bound_of(const PatchResult& patch) {
+  double bound = patch.pmax + patch.peak_error;
+  for (const PatchResult& part : patch.parts) {
+    bound = std::max(bound, bound_of(part));
+  }
+  return bound;
+}
+
+/// The patch, or its part, of which this is largest.
 const PatchResult& largest_of(std::span<const PatchResult> patches) {
-  const PatchResult& largest = *std::ranges::max_element(patches, {}, &PatchResult::pmax);
+  const PatchResult& largest = *std::ranges::max_element(patches, {}, bound_of);
   return largest.parts.empty() ? largest : largest_of(largest.parts);
 }
 
 void mark_largest(std::span<PatchResult> patches) {
   if (!patches.empty()) {
-    PatchResult& largest = *std::ranges::max_element(patches, {}, &PatchResult::pmax);
+    PatchResult& largest = *std::ranges::max_element(patches, {}, bound_of);
     largest.is_unbounded = true;
     mark_largest(largest.parts);
   }
