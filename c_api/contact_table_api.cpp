@@ -43,7 +43,8 @@ wrc::TableOptions options_of(const wrc_table_options& given, const wrc::Conventi
   set(options.fineness, given.fineness, pure);
   if (given.threads != 0) {
     if (given.threads < 1 || given.threads > 1024) {
-      wrc::throw_invalid_argument("threads", static_cast<double>(given.threads), "1 to 1024");
+      wrc::throw_invalid_argument("threads", static_cast<double>(given.threads),
+                                  "must be between 1 and 1024");
     }
     options.threads = static_cast<int>(given.threads);
   }

@@ -12,7 +12,7 @@ wrc_status wrc_scene_tabulate(wrc_scene* scene, const char* keys, const double* 
     wrc::require_pointer(counts, "counts");
     wrc::require_pointer(results, "results");
     if (threads < 1 || threads > wrc::max_threads) {
-      wrc::throw_invalid_argument("threads", threads, "1 to 1024");
+      wrc::throw_invalid_argument("threads", threads, "must be between 1 and 1024");
     }
     const bool to_file = path != nullptr && *path != '\0';
     if (!to_file) {

@@ -79,7 +79,7 @@ WRC_API const char* wrc_scene_error(const wrc_scene* scene);
 /**
  * Sets a key of the scene, for example "pose.lateral". wrc_scene_key lists all keys with their
  * defaults and permitted values. Keys of one subject replace each other: the last call applies
- * (load.vertical, load.left and load.total_left, material.poisson and material.wheel.poisson,
+ * (load.both and load.left, material.poisson and material.wheel.poisson,
  * solve.accuracy and solve.grid). The keys convention.units and convention.frame set the units and
  * frame of numbers passed to and returned by later calls; values set before keep their
  * meaning. The key solve.until stops after one of the three modules. WRC_UNKNOWN_NAME,
@@ -93,7 +93,7 @@ WRC_API wrc_status wrc_scene_set_numbers(wrc_scene* scene, const char* key, cons
 /**
  * The values of keys, in the scene's convention: a text if it is a word ("solve", "none"),
  * otherwise a number or a list, copied as by wrc_scene_field. WRC_INVALID_ARGUMENT if the value is
- * of another type, or if there is no single one (load.vertical with different loads on the wheels).
+ * of another type, or if there is no single one (load.both with different loads on the wheels).
  * Since 0.2.
  */
 WRC_API wrc_status wrc_scene_get_number(wrc_scene* scene, const char* key, double* value);
@@ -437,7 +437,7 @@ WRC_API wrc_status wrc_solver_creep(wrc_solver* solver, wrc_scene* scene, int64_
  * A table of results over all combinations of values of some keys, for programs that cannot afford
  * a solution per step. The scene and its result do not change.
  *
- * keys:    names separated by blanks, each once: "pose.lateral pose.yaw load.vertical".
+ * keys:    names separated by blanks, each once: "pose.lateral pose.yaw load.both".
  * values:  those of the first key, then of the second, ...; counts is the number for each key.
  * results: names separated by blanks, "left.total.force.y left.patches.0.angle".
  * threads: 1 to 1024; the same bits for any number.

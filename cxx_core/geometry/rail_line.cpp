@@ -11,7 +11,7 @@ namespace wrc {
 namespace {
 
 /// Searches for the point over which an inclined rail's highest point lies.
-/// origin: bound: the height changes the lateral place by the sine of the cant alone.
+/// origin: bound: the height changes the lateral place by the sine of the inclination alone.
 constexpr int inclined_steps = 3;
 /// Steps along an edge of a sheet, after which a line passes beside it.
 /// origin: reasoned: lines that meet the edge itself turn back at once.

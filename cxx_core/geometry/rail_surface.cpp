@@ -45,21 +45,22 @@ std::optional<double> lateral_of_gauge_face(const Curve& curve, double top_arc, 
 } // namespace
 
 RailSurface RailSurface::place(const Curve& profile, const TrackDimensions& track) {
-  const Curve inclined = profile.moved(track.cant, 0.0, 0.0);
+  const Curve inclined = profile.moved(track.inclination, 0.0, 0.0);
   const double top_arc = arc_of_highest_point(inclined);
   if (track.origin) {
-    CurveGraph placed(profile.without_steps().moved(track.cant, *track.origin, 0.0), top_arc);
+    CurveGraph placed(profile.without_steps().moved(track.inclination, *track.origin, 0.0),
+                      top_arc);
     auto whole = std::make_shared<const Curve>(placed.curve());
-    return {std::move(placed), std::move(whole), top_arc, track.cant, *track.origin, 0.0};
+    return {std::move(placed), std::move(whole), top_arc, track.inclination, *track.origin, 0.0};
   }
   const double top = inclined.at(top_arc).height;
   const std::optional<double> face =
       lateral_of_gauge_face(inclined, top_arc, top - track.gauge_height, track.gauge_height);
   const double lateral_shift = 0.5 * track.gauge + (face ? -*face : axis_distance);
-  CurveGraph graph(profile.without_steps().moved(track.cant, lateral_shift, -top), top_arc);
+  CurveGraph graph(profile.without_steps().moved(track.inclination, lateral_shift, -top), top_arc);
   auto nominal = std::make_shared<const Curve>(graph.curve());
-  RailSurface surface{std::move(graph), std::move(nominal), top_arc,
-                      track.cant,       lateral_shift,      -top};
+  RailSurface surface{std::move(graph),  std::move(nominal), top_arc,
+                      track.inclination, lateral_shift,      -top};
   surface.is_placed_by_axis_ = !face;
   return surface;
 }

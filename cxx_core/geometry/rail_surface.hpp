@@ -1,14 +1,14 @@
-/// The left rail in the track frame: inclined by the cant, then placed by the gauge.
+/// The left rail in the track frame: inclined by the inclination, then placed by the gauge.
 ///
-/// The profile (lateral t to the field side, height up) is turned inward by the cant about the
-/// rail's longitudinal axis: y = t cos(cant) - v sin(cant), z = t sin(cant) + v cos(cant), which
-/// raises the field side. It is then shifted so that its highest point lies at z = 0 and its gauge
-/// face, at `gauge_height` below the top, at y = gauge / 2 (the paper, equations 3 and 4, with the
-/// cant as a rotation about x, see docs/validation.md). The rail is prismatic along x, or has the
-/// surface through a list of slices (geometry/sliced_surface.hpp); rail_line.hpp meets either.
-/// A roller or disc, which does not fall to the gauge side by 45 degrees, has no gauge face: its
-/// lateral 0 is put 32.5 mm beside gauge / 2, where the taping line of a wheel is.
-/// Irregularities of the track displace it from there.
+/// The profile (lateral t to the field side, height up) is turned inward by the inclination about
+/// the rail's longitudinal axis: y = t cos(inclination) - v sin(inclination), z = t
+/// sin(inclination) + v cos(inclination), which raises the field side. It is then shifted so that
+/// its highest point lies at z = 0 and its gauge face, at `gauge_height` below the top, at y =
+/// gauge / 2 (the paper, equations 3 and 4, with the inclination as a rotation about x, see
+/// docs/validation.md). The rail is prismatic along x, or has the surface through a list of slices
+/// (geometry/sliced_surface.hpp); rail_line.hpp meets either. A roller or disc, which does not fall
+/// to the gauge side by 45 degrees, has no gauge face: its lateral 0 is put 32.5 mm beside gauge /
+/// 2, where the taping line of a wheel is. Irregularities of the track displace it from there.
 /// Units mm and rad. Thread rule: immutable, safe to share.
 #pragma once
 
@@ -27,7 +27,7 @@ namespace wrc {
 struct TrackDimensions {
   double gauge = 1435.0;
   double gauge_height = 14.0; ///< below the top of the inclined rail (16 in China)
-  double cant = 0.025;        ///< rad, > 0 leans the rail towards the track centre
+  double inclination = 0.025; ///< rad, > 0 leans the rail towards the track centre
   /// Of the profile's origin from the track centre, to the field side, at the height z = 0; none:
   /// by the gauge and the rail's top.
   std::optional<double> origin{};

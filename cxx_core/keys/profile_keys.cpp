@@ -125,7 +125,7 @@ Key rail_key(std::string_view name, const RailMoves& moves, std::string_view mea
 }
 
 /// "1:n" as the angle atan(1/n).
-bool parse_cant(std::string_view text, double& cant) {
+bool parse_inclination(std::string_view text, double& inclination) {
   const bool negative = text.starts_with('-');
   if (negative) {
     text.remove_prefix(1);
@@ -140,7 +140,7 @@ bool parse_cant(std::string_view text, double& cant) {
       !std::isfinite(n)) {
     return false;
   }
-  cant = (negative ? -1.0 : 1.0) * std::atan(1.0 / n);
+  inclination = (negative ? -1.0 : 1.0) * std::atan(1.0 / n);
   return true;
 }
 
@@ -250,12 +250,14 @@ std::vector<Key> make_track_keys() {
       {"track.gauge_height", "14.0", "1 to 30 mm",
        "where the gauge is measured, below the top of the inclined rail"},
       {1.0, 30.0}, length, [](auto& s) -> auto& { return s.track.gauge_height; }));
-  Key cant = number_key(
-      {"track.cant", "\"1:40\"", "\"1:n\" or \"-1:n\" with n >= 5, or -0.2 to 0.2 rad",
+  Key inclination = number_key(
+      {"track.inclination", "\"1:40\"", "\"1:n\" or \"-1:n\" with n >= 5, or -0.2 to 0.2 rad",
        "inclination of the rails towards the track centre"},
-      {-0.2, 0.2}, pure, [](auto& s) -> auto& { return s.track.cant; });
-  cant.set_text = [](Scene& s, std::string_view v) { return parse_cant(v, s.track.cant); };
-  keys.push_back(cant);
+      {-0.2, 0.2}, pure, [](auto& s) -> auto& { return s.track.inclination; });
+  inclination.set_text = [](Scene& s, std::string_view v) {
+    return parse_inclination(v, s.track.inclination);
+  };
+  keys.push_back(inclination);
   keys.push_back(rail_origin_key());
   constexpr std::string_view allowed = "a text: a built-in rail or a profile file";
   const auto rail = [&](std::string_view name, std::string_view meaning, const Sides& sides) {

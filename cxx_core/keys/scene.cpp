@@ -15,7 +15,7 @@ constexpr double negligible_waves = 1e-3 * 1e-4;
 } // namespace
 
 Scene::Scene() {
-  track.cant = std::atan(1.0 / 40.0);
+  track.inclination = std::atan(1.0 / 40.0);
 }
 
 bool is_sliced(const ProfileChoice& choice) {

@@ -32,6 +32,9 @@ namespace wrc {
 struct ContactHistory; // creep/elastic_history.hpp
 
 enum class SideChoice { both, left, right };
+/// What carries a load: the vertical force of the pressures, that of all contact forces
+/// (scene/total_load.hpp), or the pressures' force along the normal of the patch.
+enum class LoadOf { pressures, total, normal };
 enum class ModelRequest { automatic, half_space, hertz, kik_piotrowski };
 
 /// Largest permitted creepage, and spin in 1/mm.
@@ -62,9 +65,7 @@ struct SceneSide {
   RailDisplacement displacement; ///< of the rail, track frame
   RailDisplacement velocity;     ///< of the rail, mm/s and rad/s
   RailDisplacement slope;        ///< change of its displacement along the track, 1 and rad/mm
-  double load = 80000.0;         ///< vertical force on the wheel, of the normal pressures
-  /// Instead: all of it, creep forces included (scene/total_load.hpp).
-  std::optional<double> total_load;
+  double load = 80000.0;         ///< of the wheel, N
   FrictionLaw friction;
   /// Creepages of all patches, at their references; without any on both sides: from `motion`.
   std::optional<Creepages> creepages;
@@ -97,7 +98,7 @@ struct Scene : WheelOptions {
   std::optional<double> roll;     ///< prescribed; solved if not set
   std::optional<double> vertical; ///< prescribed height of the wheelset's centre; solved if not set
 
-  std::optional<double> normal_load; ///< instead of the sides': force along the patch's normal
+  LoadOf load_of = LoadOf::pressures; ///< what carries the sides' loads
 
   /// What creepages follow from where none are given; else its speed is that of the power. Without
   /// either there are no creep forces.

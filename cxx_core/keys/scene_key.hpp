@@ -24,7 +24,7 @@ struct KeyDescription {
   std::string_view meaning;
 };
 
-/// A value of a key: none if it is not set, or if it has no single value (load.vertical with
+/// A value of a key: none if it is not set, or if it has no single value (load.both with
 /// different loads on the two wheels).
 using KeyValue = std::variant<std::monostate, double, std::string, std::vector<double>>;
 

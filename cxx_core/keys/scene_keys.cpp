@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest_names.hpp"
+#include "keys/removed_keys.hpp"
 #include "keys/scene_key_table.hpp"
 
 namespace wrc {
@@ -39,17 +40,33 @@ std::vector<std::string> names_of_keys() {
   return names;
 }
 
+/// Also as Python writes it: with _ for each point, and without the first groups.
+const RemovedKey* removed_key(std::string_view name) {
+  const auto letter = [](char c) { return c == '.' ? '_' : c; };
+  const auto* const found = std::ranges::find_if(removed_keys, [&](const RemovedKey& removed) {
+    const std::string_view old = removed.name;
+    return name.size() <= old.size() &&
+           (name.size() == old.size() || old[old.size() - name.size() - 1] == '.') &&
+           std::ranges::equal(old.substr(old.size() - name.size()), name, {}, letter, letter);
+  });
+  return found == removed_keys.end() ? nullptr : found;
+}
+
 const Key& find_key(std::string_view name) {
-  const auto found = std::find_if(keys().begin(), keys().end(),
-                                  [name](const Key& key) { return key.description.name == name; });
-  if (found == keys().end()) {
-    throw Error(ErrorCode::unknown_name,
-                "unknown key " + std::string(name) +
-                    "; nearest: " + nearest_names(name, names_of_keys()) +
-                    "; all are listed by wrc_scene_key, wrc_case --help, wrcontact.keys() in "
-                    "Python, wrc_keys in Octave");
+  const auto found =
+      std::ranges::find(keys(), name, [](const Key& key) { return key.description.name; });
+  if (found != keys().end()) {
+    return *found;
   }
-  return *found;
+  if (const RemovedKey* removed = removed_key(name)) {
+    throw Error(ErrorCode::unknown_name, std::string(removed->name) + " is not a key any more: " +
+                                             std::string(removed->successor));
+  }
+  throw Error(ErrorCode::unknown_name,
+              "unknown key " + std::string(name) +
+                  "; nearest: " + nearest_names(name, names_of_keys()) +
+                  "; all are listed by wrc_scene_key, wrc_case --help, wrcontact.keys() in "
+                  "Python, wrc_keys in Octave");
 }
 
 [[noreturn]] void refuse(const Key& key, const std::string& value) {
@@ -219,7 +236,9 @@ void set_numbers(Scene& scene, std::string_view name, std::span<const double> va
                             ? ", ...], " + std::to_string(values.size()) + " values"
                             : "]"));
   }
-  mark_given(scene, key);
+  Scene usual;
+  usual.convention = scene.convention;
+  mark_given(scene, key, key.get(scene) != key.get(usual));
 }
 
 void set_profile(Scene& scene, std::string_view name, const Profile& profile) {

@@ -22,16 +22,11 @@ struct Row {
   Condition holds = nullptr;
 };
 
-bool has_load(const Scene& scene) { // of the pressures, not replaced by another one
-  return !scene.vertical && !scene.normal_load;
-}
-
 bool wants_wear(const Scene& scene) {
   return scene.damage.wear || scene.damage.fatigue;
 }
 
-const Names loads{"load.vertical",       "load.left",       "load.right",      "load.normal",
-                  "load.total_vertical", "load.total_left", "load.total_right"};
+const Names loads{"load.both", "load.left", "load.right", "load.of"};
 
 std::vector<Row> make_rows() {
   std::vector<Row> rows;
@@ -46,25 +41,6 @@ std::vector<Row> make_rows() {
     }
   };
   add(loads, {"pose.vertical"}, [](const Scene& s) { return s.vertical.has_value(); });
-  add({"load.vertical", "load.left", "load.right", "load.total_vertical", "load.total_left",
-       "load.total_right"},
-      {"load.normal"}, [](const Scene& s) { return !s.vertical && s.normal_load; });
-  // Of the load of the pressures, the total and load.normal the one set last counts.
-  add({"load.normal"}, {"load.total_vertical", "load.total_left", "load.total_right"},
-      [](const Scene& s) { return has_load(s) && (s.left.total_load || s.right.total_load); });
-  add({"load.normal"}, {"load.vertical", "load.left", "load.right"}, has_load);
-  add({"load.vertical"}, {"load.total_vertical", "load.total_left", "load.total_right"},
-      [](const Scene& s) { return has_load(s) && s.left.total_load && s.right.total_load; });
-  add({"load.left"}, {"load.total_left", "load.total_vertical"},
-      [](const Scene& s) { return has_load(s) && s.left.total_load; });
-  add({"load.right"}, {"load.total_right", "load.total_vertical"},
-      [](const Scene& s) { return has_load(s) && s.right.total_load; });
-  add({"load.total_vertical"}, {"load.vertical", "load.left", "load.right"},
-      [](const Scene& s) { return has_load(s) && !s.left.total_load && !s.right.total_load; });
-  add({"load.total_left"}, {"load.left", "load.vertical"},
-      [](const Scene& s) { return has_load(s) && !s.left.total_load; });
-  add({"load.total_right"}, {"load.right", "load.vertical"},
-      [](const Scene& s) { return has_load(s) && !s.right.total_load; });
 
   add({"motion.pitch", "motion.torque", "motion.lateral", "motion.vertical", "motion.roll",
        "motion.yaw", "motion.curvature", "motion.acceleration", "motion.standstill_speed"},

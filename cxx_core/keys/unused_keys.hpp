@@ -1,7 +1,7 @@
 /// Keys that were set but have no effect, since another one takes their place.
 ///
 /// One table says which key leaves which others without effect: a prescribed height the loads,
-/// `load.normal` the other loads, creepages the motion. It counts what a scene holds, so the order
+/// creepages the motion. It counts what a scene holds, so the order
 /// of keys matters where setting one resets another. A key that is set to its default sets nothing.
 /// A check costs some bits, and texts are put together when they are read. Thread rule: plain
 /// values.
@@ -25,7 +25,7 @@ public:
   explicit UnusedKeys(const Scene& scene);
 
   [[nodiscard]] std::size_t count() const { return found_.count(); }
-  /// Appends a warning for each: "load.left is not used: load.normal is set".
+  /// Appends a warning for each: "load.left is not used: pose.vertical is set".
   void append_to(Warnings& all) const;
 
 private:

@@ -317,9 +317,10 @@ void report(const RawProfile& raw, const Header& header, const Counts& counts, L
     log.note("XOffset and YOffset added");
   }
   if (header.grade && *header.grade != 0.0) {
-    log.note("Grade=" + text_of(*header.grade) +
-             ": if the rail was measured with its inclination, set track.cant to 0, or a scene "
-             "inclines it again");
+    log.note(
+        "Grade=" + text_of(*header.grade) +
+        ": if the rail was measured with its inclination, set track.inclination to 0, or a scene "
+        "inclines it again");
   }
 }
 

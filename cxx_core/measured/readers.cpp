@@ -289,32 +289,33 @@ ReadResult read_slice(const std::string& content, const std::filesystem::path& p
 
 void check_options(const ReadOptions& options) {
   if (options.scale && (!(*options.scale > 0.0) || !std::isfinite(*options.scale))) {
-    throw_invalid_argument("scale", *options.scale, "a positive finite number");
+    throw_invalid_argument("scale", *options.scale, "must be a positive finite number");
   }
   const double wavelength = options.smoothing_wavelength.value_or(automatic_smoothing);
   if (wavelength != automatic_smoothing &&
       !(wavelength >= 0.0 && wavelength <= ReadLimits::max_length)) {
     throw_invalid_argument("smoothing_wavelength", wavelength,
-                           "automatic, or 0 (none) to " + text_of(ReadLimits::max_length) + " mm");
+                           "must be automatic, or 0 (none) to " + text_of(ReadLimits::max_length) +
+                               " mm");
   }
   if (!(options.least_point_distance > 0.0) || options.least_point_distance > 1.0) {
     throw_invalid_argument("least_point_distance", options.least_point_distance,
-                           "above 0, at most 1 mm");
+                           "must be above 0 and at most 1 mm");
   }
   if (options.tape_offset && !(*options.tape_offset >= ReadLimits::min_tape_offset &&
                                *options.tape_offset <= ReadLimits::max_tape_offset)) {
     throw_invalid_argument("tape_offset", *options.tape_offset,
-                           text_of(ReadLimits::min_tape_offset) + " to " +
+                           "must be between " + text_of(ReadLimits::min_tape_offset) + " and " +
                                text_of(ReadLimits::max_tape_offset) + " mm");
   }
   if (options.rotation && !(std::abs(*options.rotation) <= ReadLimits::max_rotation)) {
     throw_invalid_argument("rotation", *options.rotation,
-                           "-" + text_of(ReadLimits::max_rotation) + " to " +
+                           "must be between -" + text_of(ReadLimits::max_rotation) + " and " +
                                text_of(ReadLimits::max_rotation) + " rad");
   }
   if (!(std::abs(options.lateral_shift) <= ReadLimits::max_length)) {
     throw_invalid_argument("lateral_shift", options.lateral_shift,
-                           "-" + text_of(ReadLimits::max_length) + " to " +
+                           "must be between -" + text_of(ReadLimits::max_length) + " and " +
                                text_of(ReadLimits::max_length) + " mm");
   }
 }

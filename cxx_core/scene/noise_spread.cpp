@@ -81,7 +81,7 @@ Scene scene_with(const NoisyScene& noisy, const Line& line) {
   scene.solver = SolverChoice::standard;
   scene.derivatives = false;
   scene.damage = {};
-  if (!scene.left.total_load && !scene.right.total_load) {
+  if (scene.load_of != LoadOf::total) {
     scene.motion.reset();
     scene.left.creepages.reset();
     scene.right.creepages.reset();

@@ -36,8 +36,8 @@ WheelRequest request_of(const Scene& scene, double load) {
   request.combined_modulus = combined_modulus(scene.wheel_material, scene.rail_material);
   if (scene.vertical) {
     request.vertical = scene.vertical;
-  } else if (scene.normal_load) {
-    request.normal_load = scene.normal_load;
+  } else if (scene.load_of == LoadOf::normal) {
+    request.normal_load = load;
   } else {
     request.vertical_load = load;
   }

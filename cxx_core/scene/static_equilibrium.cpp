@@ -105,13 +105,12 @@ Two raise(const SceneResult& result, double lateral, const Two& by) {
 Start start_of(Scene scene, const Two& loads, SceneSolver& solver) {
   scene.vertical.reset();
   scene.roll.reset();
-  scene.normal_load.reset();
+  scene.load_of = LoadOf::pressures;
   scene.motion.reset();
   scene.derivatives = false;
   scene.left.load = loads[0];
   scene.right.load = loads[1];
   for (SceneSide* side : {&scene.left, &scene.right}) {
-    side->total_load.reset();
     side->creepages.reset();
   }
   const SceneResult result = solver.solve(scene);

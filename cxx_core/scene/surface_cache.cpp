@@ -155,8 +155,8 @@ void check_waves(const std::vector<RadiusHarmonic>& waves, double radius) {
     if (const double slope = std::abs(wave.amplitude) * wave.order / radius;
         !(slope <= steepest_along)) {
       throw_invalid_argument("amplitude in wheelset.harmonics", wave.amplitude,
-                             "slopes of order times amplitude over radius up to " +
-                                 short_text_of(steepest_along) + ", here " + short_text_of(slope));
+                             "order times amplitude over radius must be at most " +
+                                 short_text_of(steepest_along) + ", not " + short_text_of(slope));
     }
   }
 }

@@ -49,7 +49,8 @@ TableGrid::TableGrid(const Scene& scene, std::string_view keys, const double* va
     if (count < 1 ||
         static_cast<std::uint64_t>(count) > max_table_size / (cell_count_ * results_.size())) {
       throw_invalid_argument("counts[" + std::to_string(axes_.size()) + ']',
-                             static_cast<double>(count), "1 or more, and 2^28 numbers in all");
+                             static_cast<double>(count),
+                             "must be at least 1, with at most 2^28 numbers in all");
     }
     if (std::any_of(axes_.begin(), axes_.end(),
                     [&key](const Axis& axis) { return axis.key == key; })) {

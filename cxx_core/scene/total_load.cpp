@@ -31,7 +31,7 @@ constexpr double largest_load = 32.0;
 /// origin: reasoned: a few solutions to the largest load.
 constexpr double largest_growth = 4.0;
 
-constexpr std::array<const char*, 2> total_keys{"load.total_left", "load.total_right"};
+constexpr std::array<const char*, 2> total_keys{"load.left", "load.right"};
 
 /// Permitted error of a total after this number of solutions, as a fraction of it.
 double permitted_share(int solutions, double accuracy) {
@@ -139,18 +139,18 @@ void JointLoadSearch::step(const WheelNumbers& excess) {
 
 WheelLoads::WheelLoads(const Scene& scene, bool left, bool right)
     : scene_(scene), open_{left, right} {
-  if (scene.vertical || scene.until != Module::mechanics) {
+  if (scene.load_of != LoadOf::total || scene.vertical || scene.until != Module::mechanics) {
     return;
   }
-  const std::array totals{scene.left.total_load, scene.right.total_load};
+  const WheelNumbers totals{scene.left.load, scene.right.load};
   const bool coupled = scene.pitch_is_free && !scene.has_creepages();
-  if (coupled && left && right && totals[0] && totals[1]) {
-    joint_.emplace(WheelNumbers{*totals[0], *totals[1]});
+  if (coupled && left && right) {
+    joint_.emplace(totals);
     return;
   }
   for (std::size_t i = 0; i < totals.size(); ++i) {
-    if (open_[i] && totals[i]) {
-      single_[i].emplace(*totals[i]);
+    if (open_[i]) {
+      single_[i].emplace(totals[i]);
     }
   }
 }
@@ -160,7 +160,7 @@ double WheelLoads::load(std::size_t wheel) const {
     return joint_->loads()[wheel];
   }
   const SceneSide& side = wheel == 0 ? scene_.left : scene_.right;
-  return single_[wheel] ? single_[wheel]->load() : side.total_load.value_or(side.load);
+  return single_[wheel] ? single_[wheel]->load() : side.load;
 }
 
 void WheelLoads::take(const WheelNumbers& totals) {

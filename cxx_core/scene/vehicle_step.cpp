@@ -276,7 +276,7 @@ PatchCreep creep_of(const Scene& scene, const SceneResult& result, std::size_t i
     inside[i] = from_caller(creepages[i], convention, of_creepages[i]);
     if (!(std::abs(inside[i]) <= max_creepage)) {
       throw_invalid_argument("creepages[" + std::to_string(i) + ']', creepages[i],
-                             "each is -10 to 10 (spin 1/mm)");
+                             "must be between -10 and 10 (spin 1/mm)");
     }
   }
   const FoundPatch& found = patches[index];

@@ -59,11 +59,11 @@ static_assert(table_part_count == static_cast<std::size_t>(TablePart::none) + 1)
 
 /// What a table is of. Lengths mm, moduli MPa.
 struct TableIdentity {
-  std::string wheel, rail;          ///< names of the profiles
-  std::array<double, 13> numbers{}; ///< radius, back to back, taping line, gauge, its height, cant,
-                                    ///< E and nu of wheel and rail, and how patches are found:
-                                    ///< interaction, gap, joining distance (identity_keys)
-  std::uint64_t profiles = 0;       ///< checksum of the curves
+  std::string wheel, rail; ///< names of the profiles
+  /// Radius, back to back, taping line, gauge, its height, inclination, E and nu of wheel and rail,
+  /// and how patches are found: interaction, gap, joining distance (identity_keys).
+  std::array<double, 13> numbers{};
+  std::uint64_t profiles = 0; ///< checksum of the curves
   bool operator==(const TableIdentity&) const = default;
 };
 
@@ -78,7 +78,7 @@ inline constexpr std::array<IdentityKey, 13> identity_keys{
      {"wheelset.tape_offset", dimensions::length},
      {"track.gauge", dimensions::length},
      {"track.gauge_height", dimensions::length},
-     {"track.cant", dimensions::angle},
+     {"track.inclination", dimensions::angle},
      {"material.wheel.youngs_modulus", dimensions::stress},
      {"material.wheel.poisson", dimensions::pure},
      {"material.rail.youngs_modulus", dimensions::stress},

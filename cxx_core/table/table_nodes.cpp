@@ -109,7 +109,7 @@ TableIdentity identity_of_table(const Scene& scene) {
                       scene.tape_offset,
                       scene.track.gauge,
                       scene.track.gauge_height,
-                      scene.track.cant,
+                      scene.track.inclination,
                       scene.wheel_material.youngs_modulus,
                       scene.wheel_material.poisson,
                       scene.rail_material.youngs_modulus,
@@ -138,7 +138,7 @@ TableNodes::TableNodes(const Scene& scene, SceneSolver solver, ContactTable& tab
   scene_.accuracy_of = AccuracyOf::forces;
   scene_.accuracy = table_accuracy;
   scene_.grid.reset();
-  scene_.normal_load.reset();
+  scene_.load_of = LoadOf::pressures;
   scene_.damage = {};
   scene_.threads = 1;
   scene_.derivatives = false;
@@ -147,7 +147,6 @@ TableNodes::TableNodes(const Scene& scene, SceneSolver solver, ContactTable& tab
   for (SceneSide* side : {&scene_.left, &scene_.right}) {
     side->displacement = {};
     side->velocity = {};
-    side->total_load.reset();
     side->creepages.reset();
   }
   scene_.left.load = table.ranges.load;

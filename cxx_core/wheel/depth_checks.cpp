@@ -40,9 +40,7 @@ bool is_in_contact(const WheelRequest& request, double depth, Warnings& warnings
     return false;
   }
   if (!(depth < max_depth)) {
-    throw_invalid_argument(request.vertical      ? "pose.vertical"
-                           : request.normal_load ? "load.normal"
-                                                 : "load of a wheel",
+    throw_invalid_argument(request.vertical ? "pose.vertical" : "load of a wheel",
                            request.vertical.value_or(request.load()),
                            "wheel and rail would overlap by " + short_text_of(depth) +
                                " mm or more; the overlap must be less than " + text_of(max_depth) +

@@ -176,7 +176,7 @@ def profile_frames():
     line(foot, (foot[0] + 60 * s, foot[1] - 60 * c), AXIS, 1.5, True)
     label((foot[0] + 10, foot[1] - 38), "v, up", anchor="start", size=14)
     label((foot[0] + 60, foot[1] + 18), "(0, 0) is the rail's top on its axis", anchor="start", size=13)
-    label((foot[0] + 60, foot[1] + 36), "cant &gt; 0 leans the rail towards the track centre", SIGN, "start", 14)
+    label((foot[0] + 60, foot[1] + 36), "inclination &gt; 0 leans the rail towards the track centre", SIGN, "start", 14)
     gauge = at(717.5, -14)
     dot(gauge, SIGN)
     line(gauge, (485, gauge[1]), SIGN, 1)

@@ -82,7 +82,7 @@ c every step needs, by number.
       call wanted(ierr)
       call wrcstx(scene, 'solve.creep', 'shen-hedrick-elkins', ierr)
       call wanted(ierr)
-      call wrcset(scene, 'load.vertical', 80.0d3, ierr)
+      call wrcset(scene, 'load.both', 80.0d3, ierr)
       call wanted(ierr)
       call wrcstx(scene, 'motion.pitch', 'free', ierr)
       call wanted(ierr)

@@ -45,7 +45,8 @@ contains
     call scene%set('solve.side', 'left')
     call scene%set('solve.gap', 'vertical')
     call scene%set('solve.grid', [lateral_count, longitudinal_count])
-    call scene%set('load.normal', load)
+    call scene%set('load.both', load)
+    call scene%set('load.of', 'normal')
     call scene%set('pose.lateral', y)
 
     call scene%set('solve.until', 'geometry')
@@ -97,7 +98,7 @@ contains
     print '(a, t36, 4a)', 'wheel/rail', scene%get_text('wheelset.wheel'), '/', &
       scene%get_text('track.rail')
     print '(a, t36, f0.1)', 'track gauge, mm', scene%get_number('track.gauge')
-    print '(a, t36, f6.4)', 'rail cant, rad', scene%get_number('track.cant')
+    print '(a, t36, f6.4)', 'rail inclination, rad', scene%get_number('track.inclination')
     print '(a, t36, f0.1)', 'inner gauge of the wheelset, mm', &
       scene%get_number('wheelset.back_to_back')
     print '(a, t36, f0.1)', 'wheel radius, mm', scene%get_number('wheelset.radius')

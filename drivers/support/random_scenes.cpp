@@ -13,7 +13,7 @@ namespace {
 
 void draw_track(Draw& draw, Settings& scene) {
   constexpr std::array usual{0.0, 1.0 / 40.0, 1.0 / 20.0};
-  scene.set("track.cant",
+  scene.set("track.inclination",
             draw.chance(0.4) ? std::atan(draw.one_of(usual)) : draw.between(0.0, 0.15));
   scene.set("wheelset.radius", draw.between_by_ratio(150.0, 2500.0));
 }

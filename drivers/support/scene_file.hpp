@@ -16,7 +16,7 @@ std::string text_of(const Value& value);
 
 /// Sets one key. Throws Failure naming key, value and what is allowed.
 void set_value(Scene& scene, const std::string& key, const Value& value);
-/// Sets keys in the library's order, the general before the special (load.vertical before
+/// Sets keys in the library's order, the general before the special (load.both before
 /// load.left).
 void set_values(Scene& scene, const Values& values);
 
@@ -58,7 +58,7 @@ Assignment split_assignment(const std::string& assignment);
 
 /// Sets a scene from a file, from the text of one, or from assignments "key=value", in which texts
 /// need no quotes. Keys are applied in the library's order, the general before the special
-/// (load.vertical before load.left). Profile files named in a scene file are looked up beside it.
+/// (load.both before load.left). Profile files named in a scene file are looked up beside it.
 /// Throws Failure naming file and line, or key, value and what is allowed.
 void apply_scene_file(Scene& scene, const std::string& path);
 void apply_scene_text(Scene& scene, const std::string& path, const std::string& text);

@@ -321,12 +321,16 @@ std::string report(const Options& options) {
   const Shortener shorten(options);
   HtmlPage page(file_name(options.wheel) + " on " + file_name(options.rail));
   std::string conditions;
-  for (const char* key : {"track.gauge", "track.cant", "wheelset.back_to_back", "wheelset.radius",
-                          "load.vertical", "solve.accuracy"}) {
-    const auto values = values_in_force(plain);
-    if (const auto found = values.find(key); found != values.end()) {
-      conditions +=
-          (conditions.empty() ? "" : ", ") + std::string(key) + " = " + shown(found->second);
+  const auto values = values_in_force(plain);
+  const bool one_load = values.contains("load.both");
+  for (const std::string key :
+       {"track.gauge", "track.inclination", "wheelset.back_to_back", "wheelset.radius", "load.both",
+        "load.left", "load.right", "load.of", "solve.accuracy"}) {
+    const auto found = values.find(key);
+    const bool said = one_load && (key == "load.left" || key == "load.right");
+    const bool usual = key == "load.of" && shown(found->second) == "pressures";
+    if (found != values.end() && !said && !usual) {
+      conditions += (conditions.empty() ? "" : ", ") + key + " = " + shown(found->second);
     }
   }
   page.paragraph("wrcontact " + std::string(wrc_version()) + "; mm, N, MPa, rad. " + conditions +
@@ -373,14 +377,14 @@ int main(int argc, char** argv) {
       .within(1, 256)
       .show_default();
   app.add("--set", options.assignments,
-          "set a key of all scenes, such as load.vertical=100000; may be repeated")
+          "set a key of all scenes, such as load.both=100000; may be repeated")
       .type("KEY=VALUE")
       .one_value_each();
   app.flag("--quiet", options.quiet, "do not print the name of the page");
   app.footer("\n" + standard_names_text() +
              "\nExamples:\n"
              "  wrc_report S1002 60E1\n"
-             "  wrc_report worn.prw 54E3 --page worn.html --set load.vertical=100000\n");
+             "  wrc_report worn.prw 54E3 --page worn.html --set load.both=100000\n");
   return app.run(argc, argv, [&] {
     const auto file = [](const std::string& name) { return is_standard(name) ? "" : name; };
     refuse_overwriting({options.page}, {file(options.wheel), file(options.rail)});

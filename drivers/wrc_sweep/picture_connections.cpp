@@ -112,7 +112,7 @@ void draw_connections(const PictureRequest& picture, const PictureData& data,
   const std::int64_t first = data.find(where);
   study.apply(std::max<std::int64_t>(first, 0), centred);
   centred.set("pose.lateral", 0.0);
-  centred.set("load.vertical", 0.0); // the geometry alone
+  centred.set("load.both", 0.0); // the geometry alone
   centred.solve();
   Gnuplot gnuplot;
   gnuplot.begin_multiplot(1, picture.sides.size(), picture.title);

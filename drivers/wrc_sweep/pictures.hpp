@@ -57,8 +57,9 @@ std::string end_of_warning_note();
 
 /// One combination of values of a picture's series.
 struct SeriesEntry {
-  Values where;      ///< those of the picture, and the series' values
-  std::string name;  ///< "cant {}" with the values instead of {}, or after the text if it has no {}
+  Values where; ///< those of the picture, and the series' values
+  std::string
+      name; ///< "inclination {}" with the values instead of {}, or after the text if it has no {}
   std::string shown; ///< the same for people: files without their folders
   std::string title; ///< for the picture, with markup
 };

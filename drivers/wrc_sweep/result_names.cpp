@@ -66,7 +66,7 @@ constexpr std::array units{
     Unit{"poisson", "1"},
     Unit{"roll", "rad"},
     Unit{"yaw", "rad"},
-    Unit{"cant", "rad"},
+    Unit{"inclination", "rad"},
 };
 
 } // namespace
@@ -115,7 +115,7 @@ std::vector<std::string> all_results() {
   scene.set("solve.accuracy", 0.1);
   scene.set("solve.near_tolerance", 10.0);
   scene.set("track.rail", "UIC60-Manchester");
-  scene.set("load.vertical", 1e4);
+  scene.set("load.both", 1e4);
   scene.set("creepage.longitudinal", 1e-3);
   scene.set("solve.results", "stress wear fatigue");
   std::vector<std::string> names;

@@ -34,8 +34,8 @@ std::vector<PictureRequest> read_pictures(const toml::table& file, const Study& 
 /// The results that a kind of picture reads, besides those that its panels name.
 std::vector<std::string> needed_results(const PictureRequest& picture);
 
-/// A title in which "{track.cant}" and so on are replaced by the study's values, each as `shown`
-/// returns it: of keys that do not vary, and of texts, such as profiles, that do.
+/// A title in which "{track.inclination}" and so on are replaced by the study's values, each as
+/// `shown` returns it: of keys that do not vary, and of texts, such as profiles, that do.
 std::string with_values(const std::string& text, const Study& study,
                         const std::function<std::string(const std::string&)>& shown);
 

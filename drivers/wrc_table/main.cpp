@@ -22,7 +22,8 @@ constexpr const char* purpose =
     "Without a scene file the table is of S1002 on 60E1.";
 
 constexpr const char* explanation =
-    "\nA table is of one wheel profile on one rail profile, with the radius, gauge, cant and\n"
+    "\nA table is of one wheel profile on one rail profile, with the radius, gauge, inclination "
+    "and\n"
     "materials of the scene; left and right wheels share it. It reaches over lateral position, "
     "load,\n"
     "roll and yaw against the rail; friction, velocities, curvature and track irregularities are\n"

@@ -81,9 +81,8 @@ static void use_scenes(void) {
   expect(wrc_scene_create(&scene) == WRC_OK, "a scene");
   expect(wrc_solver_create(&solver) == WRC_OK, "a solver");
   expect(wrc_scene_set_numbers(scene, "solve.grid", grid, 2) == WRC_OK, "a grid");
-  expect(wrc_scene_set_number(scene, "load.vertical", 70e3) == WRC_OK, "a load");
-  expect(wrc_scene_get_number(scene, "load.vertical", &load) == WRC_OK && load == 70e3,
-         "its value");
+  expect(wrc_scene_set_number(scene, "load.both", 70e3) == WRC_OK, "a load");
+  expect(wrc_scene_get_number(scene, "load.both", &load) == WRC_OK && load == 70e3, "its value");
   expect(wrc_solver_solve(solver, scene) == WRC_OK, "a solution");
   expect(wrc_solve_batch(&scene, 1, 1, &status) == WRC_OK && status == WRC_OK, "a batch");
   expect(wrc_scene_number(scene, "left.vertical_force", &force) == WRC_OK, "a number");

@@ -94,7 +94,7 @@ inline ScenePointer make_varied_scene(int index) {
           {"track.rail", pair.second},
           {"pose.lateral", 0.7 * (index % 9) - 2.5},
           {"pose.yaw", 1e-3 * (index % 4)},
-          {"load.vertical", 20e3 * (1 + index % 5)},
+          {"load.both", 20e3 * (1 + index % 5)},
           {"solve.accuracy", 1e-2},
           {"solve.threads", index % 8 == 0 ? 2.0 : 1.0},
           {"solve.precision", index % 4 == 3 ? "double" : "mixed"}});

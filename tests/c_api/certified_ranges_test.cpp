@@ -117,10 +117,10 @@ void expect_refused(const Outside& outside) {
 TEST(CertifiedRanges, ScenesInsideAreSolved) {
   const Change flange = number("pose.lateral", 6.5);
   const Inside all[] = {
-      {"least load", number("load.vertical", 1e-5)},
-      {"largest load", number("load.vertical", 1e8)},
-      {"least load on the flange", both(flange, number("load.vertical", 1e-5))},
-      {"largest load on the flange", both(flange, number("load.vertical", 1e7))},
+      {"least load", number("load.both", 1e-5)},
+      {"largest load", number("load.both", 1e8)},
+      {"least load on the flange", both(flange, number("load.both", 1e-5))},
+      {"largest load on the flange", both(flange, number("load.both", 1e7))},
       {"soft", number("material.youngs_modulus", 1e3)},
       {"hard", number("material.youngs_modulus", 1e9)},
       {"soft wheel", moduli(1e3, 1e9)},
@@ -136,8 +136,8 @@ TEST(CertifiedRanges, ScenesInsideAreSolved) {
       {"roll to the right", number("pose.roll", 0.2)},
       {"wheel about to drop", number("pose.lateral", -84.0)},
       {"over the flange", number("pose.lateral", 84.0)},
-      {"cant inwards", number("track.cant", 0.2)},
-      {"cant outwards", number("track.cant", -0.2)},
+      {"inclination inwards", number("track.inclination", 0.2)},
+      {"inclination outwards", number("track.inclination", -0.2)},
       {"narrow gauge", gauge(600.0)},
       {"broad gauge", gauge(1700.0)},
       {"coarsest accuracy", number("solve.accuracy", 0.1)},
@@ -157,10 +157,10 @@ TEST(CertifiedRanges, ScenesOutsideAreRefusedWithKeyValueAndAllowedRange) {
     return Outside{name, number(key, value), WRC_INVALID_ARGUMENT, {key, said, allowed}};
   };
   const Outside all[] = {
-      key_refusal("load", "load.vertical", -1.0, "= -1", "between 0 and 1e12 N"),
-      key_refusal("load", "load.vertical", 1.1e12, "= 1.1e+12", "between 0 and 1e12 N"),
+      key_refusal("load", "load.both", -1.0, "= -1", "between 0 and 1e12 N"),
+      key_refusal("load", "load.both", 1.1e12, "= 1.1e+12", "between 0 and 1e12 N"),
       {"overload",
-       number("load.vertical", 1e9),
+       number("load.both", 1e9),
        WRC_INVALID_ARGUMENT,
        {"load of a wheel = 1e+09", "less than 50 mm"}},
       key_refusal("soft", "material.youngs_modulus", 0.9, "= 0.9", "between 1 and 1e9 MPa"),
@@ -199,8 +199,8 @@ TEST(CertifiedRanges, ScenesOutsideAreRefusedWithKeyValueAndAllowedRange) {
        both(number("pose.roll", 0.0), number("pose.lateral", -99.0)),
        WRC_NO_CONTACT,
        {"wheel off the rail", "pose.lateral = -99 mm", "lies over the rail"}},
-      key_refusal("cant", "track.cant", -0.201, "= -0.201", "-0.2 to 0.2 rad"),
-      key_refusal("cant", "track.cant", 0.201, "= 0.201", "-0.2 to 0.2 rad"),
+      key_refusal("inclination", "track.inclination", -0.201, "= -0.201", "-0.2 to 0.2 rad"),
+      key_refusal("inclination", "track.inclination", 0.201, "= 0.201", "-0.2 to 0.2 rad"),
       key_refusal("gauge", "track.gauge", 599.0, "= 599", "between 600 and 1700 mm"),
       key_refusal("gauge", "track.gauge", 1701.0, "= 1701", "between 600 and 1700 mm"),
       {"wheels do not follow",
@@ -220,7 +220,7 @@ TEST(CertifiedRanges, ScenesOutsideAreRefusedWithKeyValueAndAllowedRange) {
        WRC_INVALID_ARGUMENT,
        {"solve.grid = [8, 8193]", "each 1 to 8192"}},
       key_refusal("NaN", "pose.lateral", nan, "= nan", "between -1e4 and 1e4 mm"),
-      key_refusal("infinite", "load.vertical", infinity, "= inf", "between 0 and 1e12 N"),
+      key_refusal("infinite", "load.both", infinity, "= inf", "between 0 and 1e12 N"),
   };
   for (const Outside& outside : all) {
     expect_refused(outside);
@@ -263,20 +263,20 @@ struct State {
 
 TEST(CertifiedRanges, UnusualContactStatesHaveResults) {
   const State all[] = {
-      {"no load", number("load.vertical", 0.0), false, ""},
-      {"load below what positions can tell", number("load.vertical", 1e-8), false,
+      {"no load", number("load.both", 0.0), false, ""},
+      {"load below what positions can tell", number("load.both", 1e-8), false,
        "the load, 1e-08 N, is treated as zero load"},
-      {"load at which rounding counts", number("load.vertical", 1e-6), true,
+      {"load at which rounding counts", number("load.both", 1e-6), true,
        "rounding of positions changes the pressures"},
-      {"load above that", number("load.vertical", 1e-4), true, ""},
+      {"load above that", number("load.both", 1e-4), true, ""},
       {"the same, to a finer accuracy",
-       both(number("load.vertical", 1e-4), number("solve.accuracy", 2e-4)), true,
+       both(number("load.both", 1e-4), number("solve.accuracy", 2e-4)), true,
        "rounding of positions changes the pressures"},
       {"load at which rounding counts on the flange",
-       both(number("load.vertical", 1e-6), number("pose.lateral", 6.5)), true,
+       both(number("load.both", 1e-6), number("pose.lateral", 6.5)), true,
        "rounding of positions changes the pressures"},
       {"load above that on the flange",
-       both(number("load.vertical", 1e-4), number("pose.lateral", 6.5)), true, ""},
+       both(number("load.both", 1e-4), number("pose.lateral", 6.5)), true, ""},
       {"above the rail", number("pose.vertical", 461.0), false, "no contact at this height"},
       {"pressed in", number("pose.vertical", 459.75), true, ""},
       {"on the chamfer", number("pose.lateral", -81.0), true, "on the wheel's chamfer"},
@@ -284,7 +284,7 @@ TEST(CertifiedRanges, UnusualContactStatesHaveResults) {
       {"leaving the end of the profile", number("pose.lateral", -82.2), true,
        "contact at the end of a profile"},
       {"on the flange's tip", number("pose.lateral", 45.0), true, "on the flange tip"},
-      {"the rail turns", number("load.vertical", 1e8), true, "the rail turns by"},
+      {"the rail turns", number("load.both", 1e8), true, "the rail turns by"},
   };
   for (const State& state : all) {
     SCOPED_TRACE(state.name);
@@ -338,7 +338,7 @@ ScenePointer wedged_scene(double wider, double lateral) {
   ScenePointer scene = left_scene();
   EXPECT_EQ(wrc_scene_set_profile(scene.get(), "wheelset.wheel", wheel.get()), WRC_OK);
   for (const auto& [key, value] :
-       {std::pair{"track.cant", 0.0}, std::pair{"pose.roll", 0.0},
+       {std::pair{"track.inclination", 0.0}, std::pair{"pose.roll", 0.0},
         std::pair{"pose.lateral", lateral}, std::pair{"solve.accuracy", 1e-2}}) {
     set(scene.get(), {{key, value}});
   }

@@ -142,7 +142,7 @@ TEST(Inputs, AreDefaultsUntilSet) {
   set(scene.get(), {{"pose.roll", "solve"}});
   EXPECT_EQ(wrc_scene_get_text(s, "pose.roll", &text), WRC_OK);
   set(scene.get(), {{"load.left", 5e4}});
-  EXPECT_EQ(wrc_scene_get_number(s, "load.vertical", &number), WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(wrc_scene_get_number(s, "load.both", &number), WRC_INVALID_ARGUMENT);
   EXPECT_EQ(wrc_scene_get_number(s, "load.left", &number), WRC_OK);
   EXPECT_EQ(number, 5e4);
   EXPECT_EQ(wrc_scene_get_text(s, "solve.grid", &text), WRC_OK);

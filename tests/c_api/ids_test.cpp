@@ -40,7 +40,7 @@ wrc_status read_by_id(wrc_scene* scene, const Ids& ids, std::vector<double>& val
 /// Everything a step of a vehicle simulation sets.
 const std::vector<std::pair<const char*, double>> step{
     {"pose.lateral", 0.0031},       {"pose.yaw", 1e-3},         {"pose.roll", 2e-4},
-    {"pose.vertical", 0.459878},    {"load.vertical", 7e4},     {"load.left", 8e4},
+    {"pose.vertical", 0.459878},    {"load.both", 7e4},         {"load.left", 8e4},
     {"motion.speed", 30.0},         {"motion.pitch", 65.0},     {"motion.lateral", 0.02},
     {"motion.yaw", -1e-3},          {"motion.curvature", 1e-3}, {"friction.coefficient", 0.4},
     {"solve.joining_distance", 0.0}};
@@ -178,9 +178,8 @@ TEST(Ids, AbsentResultsAreNotANumber) {
 TEST(Ids, ARefusedNumberChangesNothing) {
   const ScenePointer scene = make_small_scene();
   wrc_scene* s = scene.get();
-  set(s, {{"pose.lateral", 1.0}, {"load.vertical", 7e4}});
-  const Ids ids{key_id(s, "pose.lateral"), key_id(s, "load.vertical"),
-                key_id(s, "material.poisson")};
+  set(s, {{"pose.lateral", 1.0}, {"load.both", 7e4}});
+  const Ids ids{key_id(s, "pose.lateral"), key_id(s, "load.both"), key_id(s, "material.poisson")};
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double wrong : {0.7, -0.1, nan}) {
     expect_error(s, set_by_id(s, ids, {3.0, 5e4, wrong}), WRC_INVALID_ARGUMENT,
@@ -266,7 +265,7 @@ TEST(Ids, ArgumentsAreChecked) {
 TEST(Ids, InCxxAreThoseOfAnyScene) {
   wrcontact::Scene scene;
   scene.set("solve.grid", std::vector{24.0, 20.0});
-  const std::array keys{scene.key_id("pose.lateral"), scene.key_id("load.vertical")};
+  const std::array keys{scene.key_id("pose.lateral"), scene.key_id("load.both")};
   const std::vector names{scene.number_id("left.vertical_force"),
                           scene.number_id("left.patches.4.pmax")};
   scene.set_numbers_by_id(keys, std::vector{2.0, 6e4});

@@ -77,7 +77,7 @@ TEST(OutOfMemory, ASceneKeepsItsResultsWhicheverAllocationFails) {
   ASSERT_EQ(wrc_scene_set_text(scene.get(), "solve.side", "left"), WRC_OK);
   ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
   const double before = number_of(scene.get(), "left.pmax");
-  ASSERT_EQ(wrc_scene_set_number(scene.get(), "load.vertical", 90000.0), WRC_OK);
+  ASSERT_EQ(wrc_scene_set_number(scene.get(), "load.both", 90000.0), WRC_OK);
   const long failures = fail_each([&] { return wrc_scene_solve(scene.get()); },
                                   [&] { EXPECT_EQ(number_of(scene.get(), "left.pmax"), before); });
   EXPECT_GT(failures, 100);

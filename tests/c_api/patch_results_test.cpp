@@ -134,7 +134,7 @@ ScenePointer solve_one_contact_of_two_parts() {
             {"solve.side", "right"},
             {"pose.lateral", -5.0},
             {"pose.roll", 0.0},
-            {"load.vertical", 10000.0}});
+            {"load.both", 10000.0}});
   return scene;
 }
 

@@ -20,7 +20,7 @@ static int check_scene(wrc_scene* scene) {
   int64_t count = 0;
   double* pressure = NULL;
   wrc_status status = WRC_OK;
-  if (wrc_scene_set_number(scene, "load.vertical", 50000.0) != WRC_OK ||
+  if (wrc_scene_set_number(scene, "load.both", 50000.0) != WRC_OK ||
       wrc_scene_set_text(scene, "solve.side", "left") != WRC_OK ||
       wrc_scene_set_numbers(scene, "solve.grid", grid, 2) != WRC_OK ||
       wrc_scene_solve(scene) != WRC_OK ||

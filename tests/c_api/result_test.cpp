@@ -130,7 +130,7 @@ TEST(Results, LoadAlongTheNormalIsThatOfTheMainPatch) {
   // Along its own force its share of the load is 1, whatever rounding makes of it.
   const ScenePointer scene = make_small_scene();
   wrc_scene* s = scene.get();
-  set(s, {{"load.normal", 50000.0}});
+  set(s, {{"load.both", 50000.0}, {"load.of", "normal"}});
   for (int i = -60; i <= 60; ++i) {
     solve(s, {{"pose.lateral", 0.1 * i}});
     // Forces of other patches count with their share along that normal.
@@ -233,7 +233,7 @@ TEST_F(Solving, NotConvergedComesWithUsableResults) {
 TEST_F(Solving, NoLoadAndNoTouchAreResults) {
   const ScenePointer scene = make_small_scene();
   wrc_scene* s = scene.get();
-  solve(s, {{"load.vertical", 0.0}});
+  solve(s, {{"load.both", 0.0}});
   const char* warning = nullptr;
   EXPECT_EQ(wrc_scene_text(s, "left.warnings.0", &warning), WRC_UNKNOWN_NAME);
   EXPECT_EQ(number_of(s, "left.pmax"), 0.0);

@@ -96,12 +96,12 @@ TEST(SceneKeys, AllHaveNameDefaultAllowedAndMeaning) {
     EXPECT_TRUE(names.insert(texts[0]).second) << texts[0];
   }
   for (const std::string& key :
-       words_of("track.gauge track.gauge_height track.cant track.rail wheelset.wheel "
+       words_of("track.gauge track.gauge_height track.inclination track.rail wheelset.wheel "
                 "wheelset.back_to_back wheelset.tape_offset wheelset.radius "
                 "material.youngs_modulus material.poisson material.wheel.youngs_modulus "
                 "material.wheel.poisson material.rail.youngs_modulus material.rail.poisson "
-                "pose.lateral pose.yaw pose.roll pose.vertical load.vertical load.left "
-                "load.right load.normal solve.side solve.gap solve.model solve.accuracy "
+                "pose.lateral pose.yaw pose.roll pose.vertical load.both load.left "
+                "load.right load.of solve.side solve.gap solve.model solve.accuracy "
                 "solve.accuracy_of solve.grid solve.tolerance solve.threads")) {
     EXPECT_TRUE(names.contains(key)) << key;
   }
@@ -188,15 +188,15 @@ TEST(SceneKeys, ValuesOutOfRangeAreRefused) {
   }
   EXPECT_EQ(wrc_scene_set_number(s, "material.poisson", 0.500001), WRC_INVALID_ARGUMENT);
   set(s, {{"material.poisson", 0.5}});
-  EXPECT_EQ(wrc_scene_set_number(s, "load.vertical", -1.0), WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(wrc_scene_set_number(s, "load.both", -1.0), WRC_INVALID_ARGUMENT);
   for (const auto& grid : {std::array{0.0, 8.0}, std::array{8.5, 8.0}, std::array{8.0, 8193.0},
                            std::array{nan, 8.0}}) {
     EXPECT_EQ(wrc_scene_set_numbers(s, "solve.grid", grid.data(), 2), WRC_INVALID_ARGUMENT);
   }
   const std::array three{8.0, 8.0, 8.0};
   EXPECT_EQ(wrc_scene_set_numbers(s, "solve.grid", three.data(), 3), WRC_INVALID_ARGUMENT);
-  EXPECT_EQ(wrc_scene_set_text(s, "track.cant", "1:0"), WRC_INVALID_ARGUMENT);
-  set(s, {{"track.cant", "1:20"}});
+  EXPECT_EQ(wrc_scene_set_text(s, "track.inclination", "1:0"), WRC_INVALID_ARGUMENT);
+  set(s, {{"track.inclination", "1:20"}});
 }
 
 TEST(SceneKeys, AFailedCallDoesNotChangeTheScene) {
@@ -205,7 +205,7 @@ TEST(SceneKeys, AFailedCallDoesNotChangeTheScene) {
   wrc_scene* s = scene.get();
   const double grid[] = {0.0, 8.0};
   EXPECT_NE(wrc_scene_set_number(s, "pose.lateral", 2e4), WRC_OK);
-  EXPECT_NE(wrc_scene_set_number(s, "load.vertical", -5.0), WRC_OK);
+  EXPECT_NE(wrc_scene_set_number(s, "load.both", -5.0), WRC_OK);
   EXPECT_NE(wrc_scene_set_text(s, "solve.side", "none"), WRC_OK);
   EXPECT_NE(wrc_scene_set_text(s, "track.rail", ""), WRC_OK);
   EXPECT_NE(wrc_scene_set_numbers(s, "solve.grid", grid, 2), WRC_OK);
@@ -219,12 +219,12 @@ TEST(SceneKeys, LaterSettingsOfASubjectReplaceEarlierOnes) {
   constexpr double load_balance = 1e-9; // the load is met exactly but for rounding
   const ScenePointer scene = make_small_scene();
   wrc_scene* s = scene.get();
-  solve(s, {{"load.vertical", 60000.0}, {"load.left", 50000.0}});
+  solve(s, {{"load.both", 60000.0}, {"load.left", 50000.0}});
   EXPECT_NEAR(number_of(s, "left.vertical_force"), 50000.0, 50000.0 * load_balance);
   EXPECT_NEAR(number_of(s, "right.vertical_force"), 60000.0, 60000.0 * load_balance);
-  solve(s, {{"load.vertical", 70000.0}});
+  solve(s, {{"load.both", 70000.0}});
   EXPECT_NEAR(number_of(s, "left.vertical_force"), 70000.0, 70000.0 * load_balance);
-  solve(s, {{"load.normal", 40000.0}});
+  solve(s, {{"load.both", 40000.0}, {"load.of", "normal"}});
   EXPECT_NEAR(number_of(s, "left.normal_force"), 40000.0, 40000.0 * load_balance);
 }
 
@@ -232,14 +232,14 @@ TEST(SceneExtremes, LoadsIndistinguishableFromZeroGiveNoContact) {
   const ScenePointer scene = make_small_scene();
   // On steel the boundary is near 2e-7 N.
   for (const double load : {5e-324, 1e-300, 1e-30, 1e-12, 1e-7}) {
-    solve(scene.get(), {{"load.vertical", load}});
+    solve(scene.get(), {{"load.both", load}});
     EXPECT_EQ(number_of(scene.get(), "left.normal_force"), 0.0) << load;
     const char* warning = nullptr;
     ASSERT_EQ(wrc_scene_text(scene.get(), "left.warnings.0", &warning), WRC_OK);
     EXPECT_TRUE(contains(warning, "treated as zero load")) << warning;
   }
   for (const double load : {1e-6, 1e-3}) {
-    solve(scene.get(), {{"load.vertical", load}});
+    solve(scene.get(), {{"load.both", load}});
     EXPECT_NEAR(number_of(scene.get(), "left.vertical_force"), load, 1e-6 * load);
   }
 }
@@ -247,11 +247,11 @@ TEST(SceneExtremes, LoadsIndistinguishableFromZeroGiveNoContact) {
 TEST(SceneExtremes, AnAbsurdOverlapIsRefused) {
   const ScenePointer scene = make_small_scene();
   for (const double load : {1e9, 1e10, 1e12}) {
-    set(scene.get(), {{"load.vertical", load}});
+    set(scene.get(), {{"load.both", load}});
     EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_INVALID_ARGUMENT) << load;
     EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "50 mm")) << wrc_scene_error(scene.get());
   }
-  solve(scene.get(), {{"load.vertical", 5e8}});
+  solve(scene.get(), {{"load.both", 5e8}});
   EXPECT_NEAR(number_of(scene.get(), "left.vertical_force"), 5e8, 500.0);
   set(scene.get(), {{"pose.vertical", 409.0}});
   expect_error(scene.get(), wrc_scene_solve(scene.get()), WRC_INVALID_ARGUMENT,

@@ -42,7 +42,7 @@ ScenePointer make_scene_at(const Step& step, double accuracy) {
   set(scene.get(), {{"solve.accuracy", accuracy},
                     {"pose.lateral", step.lateral},
                     {"pose.yaw", step.yaw},
-                    {"load.vertical", step.load}});
+                    {"load.both", step.load}});
   return scene;
 }
 
@@ -89,7 +89,7 @@ TEST(Solver, SettlesOnFewRowsOfASteepContact) {
       set(scene.get(), {{key, text}});
     }
     for (const auto& [key, value] :
-         {std::pair{"track.cant", 0.049958395721942765},
+         {std::pair{"track.inclination", 0.049958395721942765},
           std::pair{"material.wheel.youngs_modulus", 422325.3394000648},
           std::pair{"material.wheel.poisson", 0.04495665503644064},
           std::pair{"material.rail.youngs_modulus", 935182.9543814091},
@@ -127,7 +127,7 @@ TEST(Solver, ContinuesAfterAStepThatDidNotConverge) {
                       {"solve.side", "left"},
                       {"pose.lateral", 5.0},
                       {"solve.accuracy", 3e-5},
-                      {"load.vertical", load}});
+                      {"load.both", load}});
     ASSERT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK) << load;
     EXPECT_NEAR(number_of(scene.get(), "left.vertical_force"), load, 1e-6 * load);
     EXPECT_GT(number_of(scene.get(), "left.pmax"), 1900.0);

@@ -133,9 +133,10 @@ TEST(Warnings, SayWhyALargestPressureOfSeveralPatchesIsNotGiven) {
   wrcontact::Scene scene;
   scene.set("wheelset.wheel", "LM");
   scene.set("track.rail", "60E1");
+  scene.set("load.of", "normal");
   scene.set("solve.curved", "yes");
   for (const auto& [key, value] : {std::pair("wheelset.radius", 3383.4975501784684),
-                                   {"load.normal", 102321.59023437923},
+                                   {"load.both", 102321.59023437923},
                                    {"pose.lateral", -0.33442277013841881},
                                    {"pose.roll", 0.0023172886601049341},
                                    {"pose.yaw", 0.071242890228783079},
@@ -164,7 +165,7 @@ TEST(Warnings, SayWhyALargestPressureOnAKinkIsNotGiven) {
   for (const auto& [key, value] : {std::pair("wheelset.radius", 4194.423631053407),
                                    {"load.left", 258921.76},
                                    {"load.right", 258921.76},
-                                   {"track.cant", 0.0},
+                                   {"track.inclination", 0.0},
                                    {"pose.lateral", 2.0258510051756531},
                                    {"pose.yaw", 0.031358373577849263},
                                    {"solve.accuracy", 1e-2}}) {

@@ -16,7 +16,7 @@ protected:
                         "[wheelset]\nwheel = \"wheel.dat\"\nprofile_origin = \"tape\"\n[pose]\n"
                         "roll = \"en15302\"\nlateral = " +
                         lateral +
-                        "\n[load]\nvertical = 0\n[study]\nresults = "
+                        "\n[load]\nboth = 0\n[study]\nresults = "
                         "[\"rolling_radius_difference\", \"left.rigid_contact.angle\", "
                         "\"right.rigid_contact.angle\"]\n[[picture]]\nkind = \"conicity\"\n"
                         "file = \"c.png\"\n");
@@ -82,7 +82,7 @@ TEST_F(ConicityTable, OfACylinderIsZeroAndHasAllAmplitudes) {
   }
   write("wheel.dat", wheel);
   write("rail.dat", rail);
-  const auto table = table_of("[track]\nrail = \"rail.dat\"\ncant = 0.0\n",
+  const auto table = table_of("[track]\nrail = \"rail.dat\"\ninclination = 0.0\n",
                               "{from = -12.0, to = 12.0, step = 0.05}");
   ASSERT_EQ(table.row_count(), amplitudes);
   const auto amplitude = table.numbers("amplitude");

@@ -113,7 +113,7 @@ TEST_F(Crossing, SlicesAreInputs) {
     std::filesystem::copy_file(file.path(), folder() / "own" / file.path().filename());
   }
   write("s.toml", "[track]\nleft.rail = 'own/crossing.slcs'\n[pose]\nlongitudinal = [0, 10]\n"
-                  "[load]\nvertical = 0\n");
+                  "[load]\nboth = 0\n");
   EXPECT_EQ(run("s.toml --out o").exit_code, 0);
   const std::string content = read("o/s.nc");
   for (const char* name : {"own/crossing.slcs", "own/slice_p0090.txt", "own/slice_p1000.txt"}) {

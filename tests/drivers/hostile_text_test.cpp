@@ -205,7 +205,7 @@ TEST_F(HostileText, IsNotSearchedForKeysOfTheStudy) {
   write("s.toml",
         "[wheelset]\nwheel = " + toml(wheel) +
             "\n[track]\nrail = \"60E1\"\n[pose]\n"
-            "lateral = [0, 1]\n[load]\nvertical = 0\n[study]\ntitle = \"{wheelset.wheel}\"\n");
+            "lateral = [0, 1]\n[load]\nboth = 0\n[study]\ntitle = \"{wheelset.wheel}\"\n");
   ASSERT_EQ(run("timeout", "20 '" WRC_SWEEP_PROGRAM "' s.toml --page p.html").exit_code, 0);
   EXPECT_NE(read("p.html").find("\"title\":\"" + wheel + '"'), std::string::npos);
 }

@@ -29,7 +29,7 @@ protected:
 };
 
 TEST_F(InputsAndOutputs, NoInputIsOverwritten) {
-  const std::string study = "[pose]\nlateral = [0, 1]\n[load]\nvertical = 0\n";
+  const std::string study = "[pose]\nlateral = [0, 1]\n[load]\nboth = 0\n";
   for (const char* name : {"s.csv", "s.nc", "s.rows"}) {
     write(name, study);
     expect_kept(WRC_SWEEP_PROGRAM, name, name);
@@ -76,7 +76,7 @@ TEST_F(InputsAndOutputs, LinksAreFollowedAndModesKept) {
 
 TEST_F(InputsAndOutputs, ReplacingTheRailFileMakesAnotherStudy) {
   write_profile("60E1", "rail.dat");
-  write("s.toml", "[track]\nrail = \"rail.dat\"\n[pose]\nlateral = [0, 1]\n[load]\nvertical = 0\n");
+  write("s.toml", "[track]\nrail = \"rail.dat\"\n[pose]\nlateral = [0, 1]\n[load]\nboth = 0\n");
   std::filesystem::create_directories(folder() / "o/s.csv"); // cannot be written
   ASSERT_EQ(run(WRC_SWEEP_PROGRAM, "s.toml --out o").exit_code, 1);
   ASSERT_TRUE(exists("o/s.rows"));

@@ -45,7 +45,7 @@ TEST_F(Jobs, AFileComesBeforeAShippedStudy) {
   EXPECT_EQ(line_count(read("conicity/conicity.csv")), 3);
   (void)succeed("conicity --no-pictures --set 'pose.lateral=[0, 1, 2]' --out conicity");
   EXPECT_EQ(line_count(read("conicity/conicity.csv")), 4);
-  write("contact_map", "[load]\nvertical = 0\n");
+  write("contact_map", "[load]\nboth = 0\n");
   (void)succeed("contact_map --no-pictures --out o");
   EXPECT_EQ(line_count(read("o/contact_map.csv")), 2);
 }
@@ -73,7 +73,7 @@ TEST_F(Jobs, ConicityOfOneRailIsInWords) {
   }
   EXPECT_TRUE(is_png("o/conicity.png"));
   // One wheel on one rail has no series. This rail was measured as it is inclined.
-  EXPECT_TRUE(succeed("conicity --rails measured/rail.txt --set track.cant=0.0 --out one")
+  EXPECT_TRUE(succeed("conicity --rails measured/rail.txt --set track.inclination=0.0 --out one")
                   .starts_with("equivalent conicity 0.18"));
   expect_parts(succeed("conicity --wheels S1002 --rails 60E1 UIC60-Manchester --out two"),
                {"60E1: equivalent", "UIC60-Manchester: equivalent conicity 0.18"});
@@ -122,17 +122,17 @@ TEST_F(Jobs, MapAndTableTakeMeasuredPairs) {
   EXPECT_EQ(table("o/contact_map.csv").row_count(), 6U);
   EXPECT_TRUE(is_png("o/contact_map.png"));
   const Outcome two = run("contact_map --no-pictures --quiet --rails 60E1 54E1 --out two --set "
-                          "'pose.yaw=[0, 0.01]' 'pose.lateral=[0, 2]' load.vertical=0");
+                          "'pose.yaw=[0, 0.01]' 'pose.lateral=[0, 2]' load.both=0");
   EXPECT_EQ(two.error, "");
   const Outcome drawn = run("contact_map --quiet --rails 60E1 54E1 --out two --restart --set "
-                            "'pose.yaw=[0, 0.01]' 'pose.lateral=[0, 2]' load.vertical=0");
+                            "'pose.yaw=[0, 0.01]' 'pose.lateral=[0, 2]' load.both=0");
   EXPECT_EQ(drawn.error,
             "wrc_sweep: contact_map.png shows track.rail = 60E1, the first of 2 values; where = "
             "{...} of the picture selects others, and --set one value\n");
   (void)succeed("contact_table" + pair + "--set 'pose.yaw=[0.0]' 'pose.lateral=[-2, 0, 2]'");
   const CsvTable contact = table("o/contact_table.csv");
   ASSERT_EQ(contact.row_count(), 9U);
-  for (const double force : contact.where("load.vertical", "80000").numbers("left.total.force.z")) {
+  for (const double force : contact.where("load.both", "80000").numbers("left.total.force.z")) {
     EXPECT_NEAR(force, 80000.0, 800.0); // the accuracy
   }
   EXPECT_TRUE(is_png("o/contact_table.png"));

@@ -16,7 +16,7 @@ struct Writer {
   std::string file;
 };
 
-const std::string geometry = "[pose]\nlateral = [-1, 0, 1]\n[load]\nvertical = 0\n[study]\nresults "
+const std::string geometry = "[pose]\nlateral = [-1, 0, 1]\n[load]\nboth = 0\n[study]\nresults "
                              "= [\"rolling_radius_difference\", \"left.rigid_contact.angle\", "
                              "\"right.rigid_contact.angle\"]\n[[picture]]\nkind = \"conicity\"\n"
                              "file = \"c.png\"\n[[picture]]\nfile = \"l.svg\"\npanels = [{lines = "
@@ -95,7 +95,7 @@ TEST_F(OutputLinks, RowsOfAStudyAreKeptAtTheTargetOfALink) {
   fs::create_directories(folder() / "o/s.csv"); // cannot be written, so rows are left
   fs::create_directories(folder() / "large");
   fs::create_symlink("../large/rows", folder() / "o/s.rows");
-  write("s.toml", "[pose]\nlateral = [0, 1]\n[load]\nvertical = 0\n");
+  write("s.toml", "[pose]\nlateral = [0, 1]\n[load]\nboth = 0\n");
   EXPECT_EQ(run(WRC_SWEEP_PROGRAM, "s.toml --out o").exit_code, 1);
   EXPECT_TRUE(read("large/rows").starts_with("wrc_sweep rows"));
   fs::remove(folder() / "o/s.csv");

@@ -77,7 +77,7 @@ TEST_F(CasePictures, ANearContactUnderLoadIsReportedAsClosed) {
       << loaded.out;
   EXPECT_EQ(loaded.out.find("Near contact"), std::string::npos) << loaded.out;
   const Outcome light =
-      run("--set pose.lateral=5 solve.accuracy=1e-2 solve.side=left load.vertical=10");
+      run("--set pose.lateral=5 solve.accuracy=1e-2 solve.side=left load.both=10");
   EXPECT_NE(light.out.find("Near contact, left: 0.0017 mm apart at s_wheel -17.73"),
             std::string::npos)
       << light.out;
@@ -121,7 +121,7 @@ TEST_F(StudyPictures, PointsAreNotJoinedOnRequest) {
   write("bad.toml", "[pose]\nlateral = [0, 1]\n[study]\nresults = [\"roll\"]\n[[picture]]\nfile = "
                     "\"p.svg\"\nx = \"pose.lateral\"\n[[picture.panels]]\nstyle = \"dots\"\n"
                     "lines = [{result = \"roll\"}]\n");
-  run("bad.toml").expect_refusal({"style", "dots", "\"lines\" and \"points\""});
+  run("bad.toml").expect_refusal({"style", "dots", "\"lines\" or \"points\""});
 }
 
 TEST_F(StudyPictures, TheProgramOfManyProcessesSaysItsOwnName) {

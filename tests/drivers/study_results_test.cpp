@@ -57,16 +57,19 @@ TEST_F(StudyResults, OldNamesOfResultsAreUnderstood) {
   EXPECT_NE(listed.find("left.grid.lateral"), std::string::npos);
 }
 
-/// A load of all contact forces in the file, one of the pressures on the command line.
-TEST_F(StudyResults, AssignedLoadsReplaceTotalOnes) {
-  write("s.toml", "[load]\ntotal_left = 50000.0\n[motion]\nspeed = 20000.0\n[pose]\nyaw = 0.002\n"
-                  "lateral = 3.0\n[solve]\naccuracy = 1e-2\n[study]\nresults = "
-                  "[\"left.vertical_force\", \"left.pressure_force.z\"]\n");
+/// What carries the load in the file, and other loads on the command line.
+TEST_F(StudyResults, AssignedLoadsKeepWhatCarriesThem) {
+  write("s.toml",
+        "[load]\nleft = 50000.0\nof = \"total\"\n[motion]\nspeed = 20000.0\n[pose]\nyaw = 0.002\n"
+        "lateral = 3.0\n[solve]\naccuracy = 1e-2\n[study]\nresults = "
+        "[\"left.vertical_force\", \"left.pressure_force.z\"]\n");
   solve("s.toml", "o");
   EXPECT_NEAR(std::stod(entry("o/s.csv", 1, "left.vertical_force")), 50000.0, 0.05);
-  solve("s.toml --set 'load.vertical=[60000,70000]'", "p");
-  EXPECT_NEAR(std::stod(entry("p/s.csv", 1, "left.pressure_force.z")), 60000.0, 1e-3);
-  EXPECT_NEAR(std::stod(entry("p/s.csv", 2, "left.pressure_force.z")), 70000.0, 1e-3);
+  solve("s.toml --set 'load.both=[60000,70000]'", "p");
+  EXPECT_NEAR(std::stod(entry("p/s.csv", 1, "left.vertical_force")), 60000.0, 0.06);
+  EXPECT_NEAR(std::stod(entry("p/s.csv", 2, "left.vertical_force")), 70000.0, 0.07);
+  solve("s.toml --set 'load.both=[60000,70000]' load.of=pressures", "q");
+  EXPECT_NEAR(std::stod(entry("q/s.csv", 2, "left.pressure_force.z")), 70000.0, 1e-3);
 }
 
 } // namespace

@@ -289,15 +289,15 @@ TEST_F(WrcCase, PlotDrawsBothKindsOfFile) {
 }
 
 TEST_F(WrcCase, SceneFileWithTables) {
-  write("scene.toml", "[track]\ngauge = 1437.5\ncant = \"1:20\"\n"
+  write("scene.toml", "[track]\ngauge = 1437.5\ninclination = \"1:20\"\n"
                       "[material.wheel]\nyoungs_modulus = 200000.0\n"
-                      "[pose]\nlateral = 2.0\n[load]\nleft = 50000.0\nvertical = 60000\n"
+                      "[pose]\nlateral = 2.0\n[load]\nleft = 50000.0\nboth = 60000\n"
                       "[solve]\ngrid = [24, 20]\n");
   const json from_file = run_json("scene.toml");
   const json from_arguments =
-      run_json(small + "--set track.gauge=1437.5 --set track.cant=1:20 --set "
+      run_json(small + "--set track.gauge=1437.5 --set track.inclination=1:20 --set "
                        "material.wheel.youngs_modulus=200000 --set pose.lateral=2 --set "
-                       "load.vertical=60000 --set load.left=50000");
+                       "load.both=60000 --set load.left=50000");
   for (const char* side : {"left", "right"}) {
     for (const char* key : {"pmax", "approach", "vertical_force"}) {
       EXPECT_EQ(from_file.at(side).at(key), from_arguments.at(side).at(key)) << side << key;
@@ -365,11 +365,11 @@ TEST_F(WrcCase, RefusesUnknownKeysAndBadValues) {
 
 TEST_F(WrcCase, KeysWithoutEffectAreWarnedOf) {
   const Outcome outcome =
-      run(small + "--set load.vertical=70000 load.normal=80000 --save saved.toml");
-  EXPECT_NE(outcome.out.find("Note: load.vertical is not used: load.normal is set\n"),
+      run(small + "--set load.both=70000 pose.vertical=459.9 --save saved.toml");
+  EXPECT_NE(outcome.out.find("Note: load.both is not used: pose.vertical is set\n"),
             std::string::npos)
       << outcome.out;
-  const json plain = run_json(small + "--set load.normal=80000 --save plain.toml");
+  const json plain = run_json(small + "--set load.both=80000 load.of=normal --save plain.toml");
   EXPECT_EQ(plain.at("warning_count"), run_json("plain.toml").at("warning_count"));
 }
 

@@ -46,9 +46,9 @@ TEST_F(WrcExtremes, QuickStudyFindsNothingWrongAndNothingFaded) {
     }
   }
   EXPECT_EQ(verdicts.size(), 23U);
-  for (const char* quantity :
-       {"load", "modulus", "poisson", "radius", "yaw", "lateral", "cant", "gauge", "accuracy",
-        "scene-grid", "grid", "aspect", "tolerance", "gap", "points", "profile", "state"}) {
+  for (const char* quantity : {"load", "modulus", "poisson", "radius", "yaw", "lateral",
+                               "inclination", "gauge", "accuracy", "scene-grid", "grid", "aspect",
+                               "tolerance", "gap", "points", "profile", "state"}) {
     EXPECT_TRUE(verdicts[quantity].contains("held")) << quantity;
     EXPECT_TRUE(verdicts[quantity].contains("refused")) << quantity;
   }

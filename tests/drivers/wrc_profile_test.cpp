@@ -319,7 +319,7 @@ TEST_F(WrcProfile, RefusesBadArguments) {
   run("a.txt --scale 0").expect_refusal({"--scale", "0", "positive"});
   run("a.txt --smooth nan").expect_refusal({"--smooth", "nan", "auto", "not negative"});
   run("S1002 --spacing x").expect_refusal({"--spacing", "x", "positive"});
-  run("S1002 --points --spacing 1e-9").expect_refusal({"--spacing 1e-09", "or more"});
+  run("S1002 --points --spacing 1e-9").expect_refusal({"--spacing 1e-09", "must be at least"});
   run("S1002 --plot a.pdf").expect_refusal({"--plot a.pdf", ".png"});
   run("S1002 --convert a.prr").expect_refusal({"--convert a.prr", ".prw"});
   run("S1002 --convert no/a.txt").expect_refusal({"--convert no/a.txt"});

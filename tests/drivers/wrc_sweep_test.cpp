@@ -62,13 +62,13 @@ protected:
 };
 
 TEST_F(WrcSweep, CombinesAllValuesAndVariesTheLastKeyFastest) {
-  write("s.toml", "[track]\ncant = [\"1:20\", \"1:40\"]\n[pose]\nlateral = {from = 0, to = 0.3, "
-                  "step = 0.1}\n[load]\nvertical = 0\n");
+  write("s.toml", "[track]\ninclination = [\"1:20\", \"1:40\"]\n[pose]\n"
+                  "lateral = {from = 0, to = 0.3, step = 0.1}\n[load]\nboth = 0\n");
   (void)files("s.toml", "o");
   const auto lines = lines_of(read("o/s.csv"));
   ASSERT_EQ(lines.size(), 9U);
   EXPECT_TRUE(lines[0].starts_with(
-      "scene,track.cant,pose.lateral,status,message,grade,warning_count,warnings,roll,"));
+      "scene,track.inclination,pose.lateral,status,message,grade,warning_count,warnings,roll,"));
   EXPECT_TRUE(lines[1].starts_with("0,1:20,0,ok,,0,0,,"));
   EXPECT_TRUE(lines[4].starts_with("3,1:20,0.3,ok,,0,0,,")) << lines[4];
   EXPECT_TRUE(lines[5].starts_with("4,1:40,0,ok,,0,0,,"));
@@ -210,7 +210,7 @@ TEST_F(WrcSweep, FailedScenesHaveRows) {
 }
 
 TEST_F(WrcSweep, AssignmentsOverrideTheFile) {
-  write("s.toml", "[pose]\nlateral = [0, 1, 2]\nyaw = 0.01\n[load]\nvertical = 0\n");
+  write("s.toml", "[pose]\nlateral = [0, 1, 2]\nyaw = 0.01\n[load]\nboth = 0\n");
   (void)files("s.toml --set pose.lateral=2 --set 'pose.yaw=[0, 0.02]' --set track.rail=54E3", "o");
   const auto lines = lines_of(read("o/s.csv"));
   ASSERT_EQ(lines.size(), 3U);
@@ -221,7 +221,7 @@ TEST_F(WrcSweep, AssignmentsOverrideTheFile) {
 /// Of one wheel in the file, of both on the command line.
 TEST_F(WrcSweep, AnAssignmentOfBothWheelsOverridesOneWheelInTheFile) {
   write("s.toml", "[load]\nleft = 50000.0\n[study]\nresults = [\"left.vertical_force\"]\n");
-  (void)files("s.toml --set 'load.vertical=[60000,70000]'", "o");
+  (void)files("s.toml --set 'load.both=[60000,70000]'", "o");
   EXPECT_NEAR(std::stod(entry("o/s.csv", 0, "left.vertical_force")), 60000.0, 1e-3);
   EXPECT_NEAR(std::stod(entry("o/s.csv", 1, "left.vertical_force")), 70000.0, 1e-3);
 }
@@ -236,7 +236,7 @@ TEST_F(WrcSweep, AListOfOneValueDoesNotVary) {
 }
 
 TEST_F(WrcSweep, ProgressIsShownOnRequest) {
-  write("s.toml", "[pose]\nlateral = [0, 1]\n[load]\nvertical = 0\n");
+  write("s.toml", "[pose]\nlateral = [0, 1]\n[load]\nboth = 0\n");
   EXPECT_EQ(run("s.toml").error, "") << "stderr is no terminal";
   const Outcome outcome = run("s.toml --progress");
   EXPECT_NE(outcome.error.find("2 of 2"), std::string::npos) << outcome.error;
@@ -245,7 +245,7 @@ TEST_F(WrcSweep, ProgressIsShownOnRequest) {
 TEST_F(WrcSweep, MapsHaveColoursAndContours) {
   NEEDS_GNUPLOT();
   write("s.toml", "[pose]\nyaw = [0.0, 0.01, 0.02]\nlateral = {from = -6, to = 6, step = 1}\n"
-                  "[load]\nvertical = 0\n[[picture]]\nkind = \"map\"\nfile = \"map.svg\"\nx = "
+                  "[load]\nboth = 0\n[[picture]]\nkind = \"map\"\nfile = \"map.svg\"\nx = "
                   "\"pose.lateral\"\nseries = \"pose.yaw\"\nseries_label = \"yaw, mrad\"\n"
                   "series_factor = 1000.0\npanels = [{y_label = \"place\", lines = [{result = "
                   "\"left.rigid_contact.y\"}]}]\n");
@@ -267,7 +267,7 @@ TEST_F(WrcSweep, MapsHaveColoursAndContours) {
 TEST_F(WrcSweep, PicturesDistinguishManyLinesAndNumberConnections) {
   NEEDS_GNUPLOT();
   write("s.toml", "[pose]\nyaw = [0.0, 0.01]\nlateral = {from = -6, to = 6, step = 1}\n[load]\n"
-                  "vertical = 0\n[[picture]]\nfile = \"lines.svg\"\nx = \"pose.yaw\"\nseries = "
+                  "both = 0\n[[picture]]\nfile = \"lines.svg\"\nx = \"pose.yaw\"\nseries = "
                   "\"pose.lateral\"\npanels = [{lines = [{result = \"left.rigid_contact.y\"}]}]\n");
   (void)files("s.toml", "o");
   const std::string lines = read("o/lines.svg");
@@ -365,7 +365,7 @@ TEST_F(WrcSweep, RefusesBadStudies) {
   refuse("[pose]\nlateral = {from = 1, to = 2, count = 1.5}\n", {"pose.lateral", "count"});
   refuse("[pose]\nlateral = {from = 1, to = 2, steps = 3}\n", {"pose.lateral", "steps"});
   refuse("[pose]\nlateral = {from = 0, to = 9, count = 9000}\nyaw = {from = 0, to = 0.1, count = "
-         "9000}\n[load]\nvertical = {from = 0, to = 1, count = 90}\n",
+         "9000}\n[load]\nboth = {from = 0, to = 1, count = 90}\n",
          {"scenes", "must be at most 1e7"});
   refuse("[study]\nresults = [\"left.pmx\"]\n",
          {"left.pmx", "nearest: left.pmax;", "--list-results"});
@@ -453,7 +453,7 @@ TEST_F(WrcSweep, APageWithoutAnyResultIsAFailure) {
             std::string::npos)
       << none.error;
   EXPECT_NE(read("p.html").find("wheel off the rail"), std::string::npos);
-  write("s.toml", "[pose]\nlateral = [0, 100]\n[load]\nvertical = 0\n");
+  write("s.toml", "[pose]\nlateral = [0, 100]\n[load]\nboth = 0\n");
   EXPECT_EQ(run("s.toml --page p.html").exit_code, 0);
 }
 

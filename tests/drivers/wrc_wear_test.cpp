@@ -51,7 +51,7 @@ TEST_F(WrcWear, RefusesMistakesBeforeItSolves) {
 
 /// Thrown on another thread, it ended the program by a signal.
 TEST_F(WrcWear, ReportsAFailureOfAPassage) {
-  const Outcome outcome = run("--distance 10 --threads 2 --set load.vertical=1e9");
+  const Outcome outcome = run("--distance 10 --threads 2 --set load.both=1e9");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.error.find("load of a wheel = 1e+09"), std::string::npos) << outcome.error;
 }

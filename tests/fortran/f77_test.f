@@ -151,7 +151,7 @@ c By id the same as by name.
       call wrckid(scene, 'pose.lateral', keys(1), ierr)
       call expect(ierr .eq. 0 .and. keys(1) .ge. 0, 'id of a key')
       ierr = -1
-      call wrckid(scene, 'load.vertical', keys(2), ierr)
+      call wrckid(scene, 'load.both', keys(2), ierr)
       call expect(ierr .eq. 0 .and. keys(2) .ne. keys(1), 'another')
       ierr = -1
       call wrcnid(scene, 'left.vertical_force', names(1), ierr)
@@ -183,7 +183,7 @@ c By id the same as by name.
       call wrcstb(scene, keys, in, 2, ierr)
       call expect(ierr .eq. 1, 'refused')
       call wrcerr(scene, text, ierr)
-      call expect(index(text, 'load.vertical = -1') .gt. 0, 'named')
+      call expect(index(text, 'load.both = -1') .gt. 0, 'named')
       call wrcget(scene, 'pose.lateral', value, ierr)
       call expect(abs(value - 3.0d0) .le. 0.0d0, 'none is set')
       ierr = -1

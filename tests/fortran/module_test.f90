@@ -131,7 +131,7 @@ contains
     real(real64) :: values(3), spread_out(5)
     character(200) :: errmsg
     call small(scene)
-    keys = [scene%key_id('pose.lateral'), scene%key_id('load.vertical')]
+    keys = [scene%key_id('pose.lateral'), scene%key_id('load.both')]
     names = [scene%number_id('left.vertical_force'), scene%number_id('left.patches.5.pmax'), &
       scene%number_id('roll')]
     call scene%numbers_by_id(names, values, stat)
@@ -153,7 +153,7 @@ contains
     call expect(all(same(spread_out(2:4:2), -1.0_real64)), 'and nothing between')
 
     call other%set_numbers_by_id(keys, [2.0_real64, -1.0_real64], stat, errmsg)
-    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'load.vertical = -1') > 0, 'refused')
+    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'load.both = -1') > 0, 'refused')
     call expect(same(other%get_number('pose.lateral'), 1.0_real64), 'then none is set')
     call other%set_numbers_by_id(keys, values, stat, errmsg)
     call expect(stat == wrc_invalid_argument .and. index(errmsg, 'length') > 0, 'three for two')

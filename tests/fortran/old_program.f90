@@ -12,7 +12,7 @@ program old_program
 
   call scene%create()
   call scene%set('solve.grid', [24, 20])
-  call scene%set('load.vertical', 70.0e3_real64)
+  call scene%set('load.both', 70.0e3_real64)
   call scene%set('creepage.left', [1.0e-3_real64, 5.0e-4_real64, 2.0e-4_real64])
   call scene%solve()
   call expect(nint(scene%number('left.grid.0')) == 24, 'rows')

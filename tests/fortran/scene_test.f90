@@ -148,7 +148,7 @@ contains
     call other%create()
     other = scene
     scene = scene
-    call other%set('load.vertical', 60.0e3_real64)
+    call other%set('load.both', 60.0e3_real64)
     call scene%solve()
     call expect(near(other%number('left.vertical_force'), 60.0e3_real64, rounding), 'one scene')
     call scene%create()

@@ -3,7 +3,7 @@
 # Usage: three_modules_test.sh THREE_MODULES WRC_CASE
 set -euo pipefail
 printed=$("$1")
-at_three=$("$2" --set solve.gap=vertical --set load.normal=80000 --set solve.side=left \
+at_three=$("$2" --set solve.gap=vertical --set load.both=80000 load.of=normal --set solve.side=left \
   --set 'solve.grid=[256,128]' --set pose.lateral=3 --json | tr -d '\n' |
   sed -E 's/.*"pmax": *([0-9.]+), *"pmax_element".*/\1/')
 awk -v at_three="$at_three" '

@@ -43,7 +43,7 @@
 %! assert (! isfield (first, 'right'));
 %! # two lobes that share a plane
 %! lobes = wrc_solve ('track.rail', 'UIC60-Manchester', 'solve.side', 'right', 'pose.lateral', -5, ...
-%!                    'pose.roll', 0, 'load.vertical', 1e4);
+%!                    'pose.roll', 0, 'load.both', 1e4);
 %! parts = lobes.right.patches(1).parts;
 %! vertical = arrayfun (@(part) part.pressure_force.z, parts);
 %! assert (sum (vertical), lobes.right.patches(1).pressure_force.z, -1e-9);

@@ -104,9 +104,10 @@ void DrawnScene::draw_pose() {
   constexpr std::array cants{"1:20", "1:30", "1:40", "0"};
   if (chance(0.5)) {
     const std::size_t index = random_() % cants.size();
-    set("track.cant", index + 1 == cants.size() ? Value(0.0) : Value(std::string(cants[index])));
+    set("track.inclination",
+        index + 1 == cants.size() ? Value(0.0) : Value(std::string(cants[index])));
   } else if (chance(0.2)) {
-    set("track.cant", between(-0.1, 0.1));
+    set("track.inclination", between(-0.1, 0.1));
   }
   set("pose.lateral", between(-10.0, 10.0));
   if (chance(0.6)) {
@@ -123,7 +124,8 @@ void DrawnScene::draw_load() {
   constexpr double least = 10.0;
   constexpr double greatest = 300e3;
   if (chance(0.15)) {
-    set("load.normal", between_by_ratio(least, greatest));
+    set("load.both", between_by_ratio(least, greatest));
+    set("load.of", std::string("normal"));
   } else {
     set("load.left", between_by_ratio(least, greatest));
     set("load.right", chance(0.5) ? number("load.left") : between_by_ratio(least, greatest));
@@ -218,9 +220,8 @@ DrawnScene DrawnScene::stiffer(double factor) const {
   if (!has("material.wheel.youngs_modulus")) {
     other.set("material.youngs_modulus", steel);
   }
-  for (const char* key :
-       {"material.youngs_modulus", "material.wheel.youngs_modulus", "material.rail.youngs_modulus",
-        "load.left", "load.right", "load.normal"}) {
+  for (const char* key : {"material.youngs_modulus", "material.wheel.youngs_modulus",
+                          "material.rail.youngs_modulus", "load.left", "load.right", "load.both"}) {
     other.multiply(key, factor);
   }
   return other;

@@ -90,7 +90,7 @@ DrawnScene rolling_loaded_scene(std::uint64_t seed) {
   Draw draw(~seed);
   if (draw.chance(0.1)) { // hardly any: contact on few elements
     const double share = draw.by_ratio(1e-6, 1e-1);
-    for (const char* key : {"load.left", "load.right", "load.normal"}) {
+    for (const char* key : {"load.left", "load.right", "load.both"}) {
       scene.multiply(key, share);
     }
   }

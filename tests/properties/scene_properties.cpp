@@ -169,13 +169,13 @@ std::string check_load(const DrawnScene& scene, const Outcome& outcome, const st
   if (scene.has("pose.vertical")) {
     return "";
   }
-  if (!scene.has("load.normal")) {
+  if (!scene.has("load.of")) {
     const double load = scene.number("load." + side);
     const double force = outcome.at(side + ".pressure_force.z");
     return near(force, load, share) ? "" : differ(side + ", force and load", force, load);
   }
   // Along the force of the deepest patch, whichever that is; or along the gap.
-  const double load = scene.number("load.normal");
+  const double load = scene.number("load.both");
   if (is_vertical(scene)) {
     const double force = force_along_normal(outcome, patch_name(side, 0), share_across(scene));
     return near(force, load, share) ? "" : differ(side + ", force and load", force, load);
@@ -351,7 +351,7 @@ std::string check_monotony(const DrawnScene& scene, const Outcome& outcome) {
     more.set("pose.vertical", scene.number("pose.vertical") - lower);
   } else {
     constexpr double heavier = 1.2;
-    for (const char* key : {"load.left", "load.right", "load.normal"}) {
+    for (const char* key : {"load.left", "load.right", "load.both"}) {
       more.multiply(key, heavier);
     }
   }
@@ -376,7 +376,7 @@ std::string check_monotony(const DrawnScene& scene, const Outcome& outcome) {
 std::string check_solver(const DrawnScene& scene, const Outcome& outcome) {
   DrawnScene before = scene;
   before.set("pose.lateral", 0.97 * scene.number("pose.lateral") + 0.1);
-  for (const char* key : {"load.left", "load.right", "load.normal"}) {
+  for (const char* key : {"load.left", "load.right", "load.both"}) {
     before.multiply(key, 0.9);
   }
   const wrcontact::Solver solver;

@@ -14,7 +14,7 @@ BUILD = Path(os.environ["WRCONTACT_BUILD"])
 SCENES = {
     "two lobes": {"lateral": 5},
     "flange and tread": {"lateral": 6.15, "rail": "56E1"},
-    "other sides": {"yaw": 0.01, "track_left_rail": "54E1", "load_left": 6e4, "cant": "1:20"},
+    "other sides": {"yaw": 0.01, "track_left_rail": "54E1", "load_left": 6e4, "inclination": "1:20"},
     "creep forces": {"creepage_left": [1e-3, 5e-4, 2e-4], "derivatives": "yes"},
     "motion": {"lateral": 2, "speed": 2e4, "motion_yaw": 0.01, "results": ["stress", "wear"]},
     "SI units": {"units": "SI", "frame": "right-down", "lateral": -0.003},

@@ -124,7 +124,7 @@ def measure_study(count=100_000):
     random = np.random.default_rng(0)
     cases = {"lateral": ("case", random.uniform(-5, 5, count)),
              "yaw": ("case", random.uniform(-0.01, 0.01, count)),
-             "load_vertical": ("case", random.uniform(2e4, 1e5, count))}
+             "load_both": ("case", random.uniform(2e4, 1e5, count))}
     names = ["left.depth", "left.total.force.y", "right.total.force.y", "left.pmax"]
     for told, values in (("geometry", {"until": "geometry"}),
                          ("Hertz", {"model": "hertz"}),

@@ -54,7 +54,7 @@ def test_keywords_are_completed_from_the_keys_of_the_library():
 
 def test_keys_have_units():
     units = {name: key.unit for name, key in wrcontact.keys().items()}
-    for name, unit in {"pose.lateral": "mm", "pose.roll": "rad", "track.cant": "rad", "load.normal": "N",
+    for name, unit in {"pose.lateral": "mm", "pose.roll": "rad", "track.inclination": "rad", "load.both": "N",
                        "material.poisson": "1", "motion.torque": "N mm", "motion.pitch": "rad/s",
                        "motion.curvature": "1/mm", "friction.decay": "s/mm", "solve.threads": "1",
                        "wear.energy_coefficient": "mm^3/(N mm)", "wheelset.wheel_smoothing": "mm",

@@ -58,3 +58,12 @@ def test_a_study_by_old_names():
     pytest.importorskip("xarray")
     data = wrcontact.study({"lateral": [0.0, 1.0]}, ["left.grid.0", "left.grid.lateral"], accuracy=1e-2)
     assert np.array_equal(data["left.grid.0"], data["left.grid.lateral"])
+
+
+def test_removed_keys_name_their_successors():
+    for words, successor in (({"load_vertical": 8e4}, "use load.both"), ({"cant": 0.025}, "use track.inclination"),
+                             ({"total_left": 8e4}, 'use load.left with load.of = "total"')):
+        with pytest.raises(wrcontact.UnknownName, match=successor):
+            wrcontact.solve(**words)
+    with pytest.raises(wrcontact.UnknownName, match="use load.both"):
+        wrcontact.Scene()["load.vertical"] = 8e4

@@ -62,8 +62,8 @@ FAR_APART = {6.1: (0.08415, -16427.0), 6.15: (0.07635, -21829.0)}
 def test_patches_far_apart_displace_each_other(lateral):
     """Without interaction the depth is up to 9 % too small."""
     depth, lateral_force = FAR_APART[lateral]
-    left = solved({"wheel": "S1002", "rail": "56E1", "back_to_back": 1360.0, "cant": "1:40", "lateral": lateral,
-                   "load_vertical": 80e3, "yaw": 0.0}, "pressures")
+    left = solved({"wheel": "S1002", "rail": "56E1", "back_to_back": 1360.0, "inclination": "1:40", "lateral": lateral,
+                   "load_both": 80e3, "yaw": 0.0}, "pressures")
     assert left.patch_count == 2
     assert left.depth == pytest.approx(depth, rel=4e-3)
     assert left.pressure_force.y == pytest.approx(lateral_force, abs=3e-3 * left.normal_force)

@@ -95,8 +95,8 @@ def test_netcdf_files_of_wrc_sweep_have_the_units_of_the_study(tmp_path, convent
     if ctypes.util.find_library("netcdf") is None:
         pytest.skip("the NetCDF library is not installed")
     (tmp_path / "s.toml").write_text(
-        f"[convention]\nunits = \"{convention}\"\n[pose]\nlateral = [0, 0.001]\n[load]\nvertical = [1e4, 8e4]\n"
+        f"[convention]\nunits = \"{convention}\"\n[pose]\nlateral = [0, 0.001]\n[load]\nboth = [1e4, 8e4]\n"
         "[solve]\naccuracy = 1e-2\n[study]\nresults = [\"left.pmax\"]\nfields = [\"pressure\"]\n")
     subprocess.run([BUILD / "bin/wrc_sweep", "s.toml"], cwd=tmp_path, check=True, capture_output=True)
-    names = ["pose.lateral", "load.vertical", "left.pmax", "field.pressure"]
+    names = ["pose.lateral", "load.both", "left.pmax", "field.pressure"]
     assert units_in(next(tmp_path.rglob("*.nc")), names) == units

@@ -114,21 +114,21 @@ CASES = {
     "chamfer": Case("first touch is on the wheel's chamfer",
                     {"track.gauge": 1600, "pose.roll": 0, **GEOMETRY}),
     "no_contact": Case("no contact at this height", {"pose.vertical": 470}),
-    "no_load": Case("is treated as zero load", {"load.vertical": 1e-9}),
+    "no_load": Case("is treated as zero load", {"load.both": 1e-9}),
     "not_converged": Case("not converged: ", {
         "solve.grid": [256, 128], "solve.solver": "paper", "solve.tolerance": 1e-13,
         **LEFT}),
     "not_settled": Case("not settled", {
-        "track.cant": 0, "pose.roll": 0, "solve.accuracy": 1e-2, **LEFT},
+        "track.inclination": 0, "pose.roll": 0, "solve.accuracy": 1e-2, **LEFT},
         lambda: conformal(1.004), "conformal.prw", "",
         tuple(3.3 + 0.04 * step for step in range(21))),
-    "rounding": Case("the rounding of positions", {"load.vertical": 1e-6, **LEFT}),
+    "rounding": Case("the rounding of positions", {"load.both": 1e-6, **LEFT}),
     "accuracy": Case("not reached: estimated error", {"pose.lateral": -60, **LEFT, **QUICK}),
     "element_limit": Case("solve.element_limit = 1000 permits fewer", {
         "solve.element_limit": 1000, "solve.accuracy": 3e-4, **LEFT}),
     "ridge": Case("rad inside the contact", {
-        "track.rail": "49E1", "wheelset.radius": 2175, "track.cant": 0.138, "pose.lateral": -7.9,
-        "load.vertical": 368e3, "solve.accuracy": 0.01, **LEFT}),
+        "track.rail": "49E1", "wheelset.radius": 2175, "track.inclination": 0.138, "pose.lateral": -7.9,
+        "load.both": 368e3, "solve.accuracy": 0.01, **LEFT}),
     "grid_edge": Case("contact reaches the edge of the grid", {"solve.grid": [4, 4], **LEFT}),
     "patch_turn": Case("the rail turns by", {"pose.lateral": 5, "solve.accuracy": 0.004, **LEFT}),
     "vertical_angle": Case("vertical distances at a contact angle", {
@@ -139,7 +139,7 @@ CASES = {
         "solve.solver": "paper", "solve.grid": [32, 32], **FLANGE_AND_TREAD, **LEFT}),
     "close_patches": Case("patches almost touch", {
         "track.rail": "UIC60-Manchester", "pose.lateral": 6.1396, "pose.yaw": -0.009928,
-        "wheelset.radius": 1000, "track.cant": 0.05, "load.vertical": 248675, **LEFT,
+        "wheelset.radius": 1000, "track.inclination": 0.05, "load.both": 248675, **LEFT,
         "solve.joining_distance": 0.02, "solve.interaction": "all", "solve.accuracy": 8e-4}),
     "model_validity": Case("pmax may be off by tens of per cent", {
         "solve.model": "hertz", "pose.lateral": 5, **LEFT}),

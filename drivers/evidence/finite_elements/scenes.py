@@ -61,8 +61,8 @@ class Scene:
 
 
 def scene_of(lateral: float, **changes: Any) -> Scene:
-    keys: dict[str, Any] = {"wheel": "S1002", "rail": "60E1", "back_to_back": 1360.0, "cant": "1:40", "lateral": lateral,
-            "load_vertical": LOAD, "yaw": 0.0, **changes}
+    keys: dict[str, Any] = {"wheel": "S1002", "rail": "60E1", "back_to_back": 1360.0, "inclination": "1:40", "lateral": lateral,
+            "load_both": LOAD, "yaw": 0.0, **changes}
     result, left = library_figures(keys, "pressures", 1e-3)
     keys["roll"] = float(result["roll"])
     import wrcontact

@@ -102,7 +102,7 @@ def draw_scene(draw: random.Random, lists: dict[pathlib.Path, tuple[float, float
         path = draw.choice(files)
         name = path.name
         scene["track.rail"] = str(path)
-        scene["track.cant"] = 0.0
+        scene["track.inclination"] = 0.0
         scene["track.rail_origin"] = 750.0
         scene["pose.longitudinal"] = draw.uniform(*lists[path])
         varying = ("along",)
@@ -123,7 +123,7 @@ def draw_scene(draw: random.Random, lists: dict[pathlib.Path, tuple[float, float
     scene["pose.lateral"] = draw.uniform(-8.0, 8.0)
     scene["pose.yaw"] = draw.uniform(-0.02, 0.02)
     scene["pose.roll"] = draw.uniform(-1e-3, 1e-3)
-    scene["load.vertical"] = 10.0 ** draw.uniform(3.0, 5.17)
+    scene["load.both"] = 10.0 ** draw.uniform(3.0, 5.17)
     scene["solve.side"] = draw.choice(["left", "right"])
     return scene, name, varying
 
@@ -296,7 +296,7 @@ def print_one(found: Found) -> None:
     place = found.place
     print(f"position {found.number}, {place.name}, {('left', 'right')[place.wheel]}:"
           f" q = {place.position.tolist()}, v = {place.velocity.tolist()}, depth {place.depth:.4g} mm,"
-          f" load {place.scene['load.vertical']:.4g} N")
+          f" load {place.scene['load.both']:.4g} N")
     for name in found.names():
         print(f"{name}: Fx, Fy, Fz, Mx, My, Mz (moments over {ARM:g} mm)")
         for title, column in (("dfdq", found.column), ("longer", found.longer),

@@ -76,11 +76,11 @@ def scene_of(given: dict[str, Any], profiles: list[pathlib.Path], reference: dic
     if not given["rail"].endswith(".slcs"):
         scene["track.rail_smoothing"] = 0.0
     if "cant_rad" in given:
-        scene["track.cant"] = given["cant_rad"]
+        scene["track.inclination"] = given["cant_rad"]
         scene["track.gauge"] = given["gauge_mm"]
         scene["track.gauge_height"] = given["gauge_height_mm"]
     else:
-        scene["track.cant"] = 0.0
+        scene["track.inclination"] = 0.0
         scene["track.rail_origin"] = 750.0  # where the wheel's taping line is
     scene["material.youngs_modulus"] = 2.0 * given["G_MPa"] * (1.0 + given["nu"])
     scene["material.poisson"] = given["nu"]
@@ -90,7 +90,8 @@ def scene_of(given: dict[str, Any], profiles: list[pathlib.Path], reference: dic
     scene["motion.vertical"] = 0.0
     scene["solve.slip"] = "planar"
     if "vertical_force_N" in given:
-        scene["load.total_right"] = given["vertical_force_N"]
+        scene["load.right"] = given["vertical_force_N"]
+        scene["load.of"] = "total"
     else:
         scene["pose.vertical"] = given["nominal_radius_mm"] - reference["z_ws_down_mm"]
     return scene

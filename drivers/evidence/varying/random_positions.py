@@ -39,7 +39,7 @@ def scene_on(path: pathlib.Path, draw: random.Random, stretch: tuple[float, floa
     scene["solve.accuracy"] = 1e-2
     scene[KEYS[path.suffix]] = str(path)
     if is_rail:
-        scene["track.cant"] = 0.0
+        scene["track.inclination"] = 0.0
         scene["track.rail_origin"] = 750.0
         scene["pose.longitudinal"] = draw.uniform(*stretch)
     else:
@@ -51,7 +51,7 @@ def scene_on(path: pathlib.Path, draw: random.Random, stretch: tuple[float, floa
     scene["solve.side"] = side
     if side != "both":
         scene["pose.roll"] = draw.uniform(-1e-3, 1e-3)
-    scene["load.vertical"] = 10.0 ** draw.uniform(3.0, 5.17)
+    scene["load.both"] = 10.0 ** draw.uniform(3.0, 5.17)
     scene["motion.speed"] = 2e4
     return scene
 
@@ -67,7 +67,7 @@ def outcome(scene: wrcontact.Scene, solver: wrcontact.Solver) -> str:
         return "refused"
     except wrcontact.Error as error:
         return f"failed: {error}"
-    load = scene["load.vertical"]
+    load = scene["load.both"]
     for side in ("left", "right"):
         if scene["solve.side"] not in (side, "both"):
             continue

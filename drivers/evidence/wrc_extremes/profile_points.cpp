@@ -155,7 +155,7 @@ SceneSetup conformal(double share, const Place& place) {
   }
   const auto wheel = std::make_shared<wrcontact::Profile>(profile_of(made, WRC_WHEEL));
   wrcontact::Scene where;
-  where.set("track.cant", 0.0);
+  where.set("track.inclination", 0.0);
   where.set("solve.until", "geometry");
   where.solve();
   const double axis =
@@ -165,7 +165,7 @@ SceneSetup conformal(double share, const Place& place) {
   const double lateral = axis - taping_line + place.per_share * share + place.further;
   return [wheel, lateral](wrcontact::Scene& scene) {
     scene.set("wheelset.wheel", *wheel);
-    scene.set("track.cant", 0.0);
+    scene.set("track.inclination", 0.0);
     scene.set("pose.roll", 0.0);
     scene.set("pose.lateral", lateral);
   };

@@ -166,7 +166,7 @@ const std::vector<Quantity>& quantities() {
       {"yaw", "Yaw", "yaw, rad", false, false},
       {"roll", "Roll, prescribed", "roll, rad", false, false},
       {"lateral", "Lateral displacement", "displacement to the left, mm", false, false},
-      {"cant", "Inclination of the rails", "cant, rad", false, false},
+      {"inclination", "Inclination of the rails", "inclination, rad", false, false},
       {"gauge", "Gauge", "gauge, mm", false, false},
       {"accuracy", "Requested accuracy", "accuracy", true, false},
       {"scene-grid", "Prescribed grid of a scene", "elements", true, false},

@@ -38,7 +38,7 @@ Point key_point(const std::string& quantity, const Base& base, const std::string
 void add_scene_loads(std::vector<Point>& points) {
   for (const Base& base : {table1, flange}) {
     for (int exponent = -8; exponent <= 13; ++exponent) {
-      points.push_back(key_point("load", base, "load.vertical", std::pow(10.0, exponent), " N",
+      points.push_back(key_point("load", base, "load.both", std::pow(10.0, exponent), " N",
                                  base.lateral == 0.0 && (exponent == -8 || exponent == -6 ||
                                                          exponent == 5 || exponent == 9)));
     }
@@ -102,7 +102,7 @@ void add_tracks(std::vector<Point>& points) {
   for (const Base& base : {table1, flange}) {
     for (int percent = -21; percent <= 21; percent += percent == -21 || percent == 20 ? 1 : 2) {
       points.push_back(
-          key_point("cant", base, "track.cant", std::atan(0.01 * percent), " rad",
+          key_point("inclination", base, "track.inclination", std::atan(0.01 * percent), " rad",
                     base.lateral == 0.0 && (percent == -20 || percent == 20 || percent == 21)));
     }
   }
@@ -213,7 +213,7 @@ SceneSetup at_height(double vertical) {
   return [vertical](wrcontact::Scene& scene) { scene.set("pose.vertical", vertical); };
 }
 SceneSetup loaded(double load) {
-  return [load](wrcontact::Scene& scene) { scene.set("load.vertical", load); };
+  return [load](wrcontact::Scene& scene) { scene.set("load.both", load); };
 }
 
 NormalCase block(double load, std::optional<double> approach) {

@@ -16,7 +16,7 @@ CsvTable positions(const fs::path& folder) {
 }
 
 CsvTable cant(const fs::path& folder, const std::string& value) {
-  return CsvTable(folder / "fig09_10.csv").where("track.cant", value);
+  return CsvTable(folder / "fig09_10.csv").where("track.inclination", value);
 }
 
 /// From one end of the displacements to the other, against the printed ends.
@@ -107,7 +107,7 @@ Finding judge_roll_grows_with_cants(const fs::path& folder) {
                                        ", 1:30: " + (flat ? "grows" : "does not")};
 }
 
-Finding judge_roll_falls_with_cant(const fs::path& folder) {
+Finding judge_roll_falls_with_inclination(const fs::path& folder) {
   const CsvTable steep = cant(folder, "1:20");
   const CsvTable flat = cant(folder, "1:30");
   int less = 0;
@@ -222,7 +222,7 @@ std::vector<Figure> geometry_figures() {
   std::vector<Figure> figures;
   figures.push_back(
       {6,
-       "positions of the contact, cant 1:40",
+       "positions of the contact, inclination 1:40",
        {"fig06.png"},
        {{"On the left wheel the contact moves from 20.0 to -37.0 mm as y goes from -10 to 10 mm",
          [](const fs::path& f) { return judge_range(f, on_wheel, 20.0, -37.0); }, reconstruction},
@@ -233,7 +233,7 @@ std::vector<Figure> geometry_figures() {
         {"The slope changes suddenly between 8 and 10 mm, to both sides", judge_sudden_slope,
          "The change at LMA's flange begins before 8 mm already."}}});
   figures.push_back({7,
-                     "roll, cant 1:40",
+                     "roll, inclination 1:40",
                      {"fig07.png"},
                      {{"Roll is positive for negative y and negative for positive y (the paper's "
                        "sign, opposite to ours)",
@@ -243,14 +243,14 @@ std::vector<Figure> geometry_figures() {
                        "profile first."}}});
   figures.push_back(
       {9,
-       "roll for cant 1:20 and 1:30",
+       "roll for inclination 1:20 and 1:30",
        {"fig09.png"},
        {{"The magnitude of roll grows with that of y", judge_roll_grows_with_cants, reconstruction},
-        {"The steeper the cant, the smaller the roll", judge_roll_falls_with_cant,
+        {"The steeper the inclination, the smaller the roll", judge_roll_falls_with_inclination,
          reconstruction}}});
   figures.push_back(
       {10,
-       "positions on the left side for cant 1:20 and 1:30",
+       "positions on the left side for inclination 1:20 and 1:30",
        {"fig10.png"},
        {{"From -8 to 8 mm the contact covers 45 mm for 1:20 and 40 mm for 1:30: more for the "
          "steeper cant",
@@ -259,7 +259,7 @@ std::vector<Figure> geometry_figures() {
          reconstruction}}});
   figures.push_back(
       {12,
-       "roll over yaw, cant 1:40 (yaw up to 50 mrad, see docs/validation.md)",
+       "roll over yaw, inclination 1:40 (yaw up to 50 mrad, see docs/validation.md)",
        {"fig12.png"},
        {{"Off the centre the roll depends on the sign of yaw: larger for one, smaller for the "
          "other",

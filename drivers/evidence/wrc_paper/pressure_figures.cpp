@@ -101,8 +101,8 @@ std::string text_of(const CantOrder& order) {
 
 Finding judge_cants(const fs::path& folder) {
   const CsvTable table(folder / "fig11.csv");
-  const CsvTable steep = table.where("track.cant", "1:20");
-  const CsvTable flat = table.where("track.cant", "1:30");
+  const CsvTable steep = table.where("track.inclination", "1:20");
+  const CsvTable flat = table.where("track.inclination", "1:30");
   const CantOrder order = order_of(steep, flat, 1.0);
   return {graded(order.as_said == order.all, 3 * order.as_said >= 2 * order.all),
           text_of(order) + "; at 0 mm " + fixed(steep.at(lateral_position, 0.0, pmax), 0) +
@@ -184,7 +184,7 @@ std::vector<Figure> pressure_figures() {
   std::vector<Figure> figures;
   figures.push_back(
       {8,
-       "patches and largest pressures, cant 1:40",
+       "patches and largest pressures, inclination 1:40",
        {"fig08_patches.png", "fig08_pmax.png"},
        {{"The lateral displacement has a strong influence on the pressure", judge_strong, ""},
         {"Left wheel: a mild increase up to y = 0, then a sharp decrease, then a sharp increase",
@@ -193,7 +193,7 @@ std::vector<Figure> pressure_figures() {
         {"The right wheel behaves in the opposite way", judge_opposite, ""}}});
   figures.push_back(
       {11,
-       "left wheel, cant 1:20 and 1:30",
+       "left wheel, inclination 1:20 and 1:30",
        {"fig11_patches.png", "fig11_pmax.png"},
        {{"Below y = 3 mm pressures are lower for 1:20, above they are lower for 1:30", judge_cants,
          "The paper does not print its profile, and LM here is a reconstruction. Where the "
@@ -202,7 +202,7 @@ std::vector<Figure> pressure_figures() {
          "its figure 6."}}});
   figures.push_back(
       {13,
-       "over yaw, y = 6 mm, cant 1:40 (yaw up to 50 mrad, see docs/validation.md)",
+       "over yaw, y = 6 mm, inclination 1:40 (yaw up to 50 mrad, see docs/validation.md)",
        {"fig13_patches.png", "fig13_pmax.png"},
        {{"Any yaw raises the largest pressure of both wheels", judge_yaw_raises,
          "Yaw moves both contacts along their profiles; whether the pressure rises depends on the "

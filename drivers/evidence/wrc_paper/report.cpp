@@ -96,7 +96,7 @@ std::string deviation(double value, double reference) {
 
 void write_table2(const fs::path& folder, std::ostream& out) {
   const CsvTable table(folder / "S1002/fig05.csv");
-  out << "## Figure 5 and Table 2: S1002 on 60E1, cant 1:40, 80 kN\n\n";
+  out << "## Figure 5 and Table 2: S1002 on 60E1, inclination 1:40, 80 kN\n\n";
   picture(out, folder, "S1002/fig05.png", "figure 5");
   out << "| y, mm | paper, CONTACT, MPa | paper, its model, MPa | here, MPa | from the model | "
          "from "
@@ -192,7 +192,8 @@ void write_geometry(const fs::path& folder, std::ostream& out) {
   out << "## Beyond the paper: where profiles touch, and equivalent conicity\n\n";
   picture(out, folder, "S1002/connections.png", "connection lines");
   out << "Equivalent conicity of S1002 at an amplitude of 3 mm, track 1435 mm, wheelset 1360 mm, "
-         "cant 1:40:\n\n| rail | without roll (EN 15302) | roll of the wheelset |\n|---|---|---|\n";
+         "inclination 1:40:\n\n| rail | without roll (EN 15302) | roll of the wheelset "
+         "|\n|---|---|---|\n";
   const fs::path path = folder / "S1002" / "conicity_by_amplitude.csv";
   for (const std::string rail : {"60E1", "UIC60-Manchester"}) {
     out << "| " << rail << " | " << fixed(conicity(path, rail + ", pose.roll en15302"), 4) << " | "

@@ -16,7 +16,7 @@ Scene scene_of(const json& entry) {
     scene.set(key, entry.at(name).get<std::string>());
   };
   text("track.rail", "rail");
-  text("track.cant", "cant");
+  text("track.inclination", "cant");
   text("wheelset.wheel", "wheel");
   text("solve.side", "side");
   number("track.gauge", "gauge_mm");
@@ -29,7 +29,7 @@ Scene scene_of(const json& entry) {
   number("pose.lateral", "lateral_mm");
   number("pose.yaw", "yaw_rad");
   number("pose.roll", "roll_rad");
-  number("load.vertical", "vertical_load_N");
+  number("load.both", "vertical_load_N");
   scene.set("solve.interaction", std::string("near")); // CONTACT's rule
   return scene;
 }

@@ -36,11 +36,11 @@ Case drawn_case(std::size_t index, driver::Draw& draw) {
     made.settings.set("wheelset.radius", pair.radius);
   }
   constexpr std::array cants{1.0 / 40.0, 1.0 / 20.0, 0.0};
-  made.settings.set("track.cant", std::atan(cants[(index / pairings.size()) % 3]));
+  made.settings.set("track.inclination", std::atan(cants[(index / pairings.size()) % 3]));
   made.settings.set("pose.lateral", draw.between(-6.5, 6.5));
   const double yaw = draw.between(-0.04, 0.04);
   made.settings.set("pose.yaw", index % 2 == 0 ? 0.0 : yaw);
-  made.settings.set("load.vertical", std::exp(draw.between(std::log(1e3), std::log(3e5))));
+  made.settings.set("load.both", std::exp(draw.between(std::log(1e3), std::log(3e5))));
   return made;
 }
 
@@ -66,7 +66,7 @@ std::vector<Case> sweep(const std::string& group, const std::string& wheel, cons
 double load_of(const driver::Settings& scene, std::size_t side) {
   constexpr double usual = 80e3;
   return scene.number_or(side == 0 ? "load.left" : "load.right",
-                         scene.number_or("load.vertical", usual));
+                         scene.number_or("load.both", usual));
 }
 
 std::vector<Case> make_family(std::size_t count) {

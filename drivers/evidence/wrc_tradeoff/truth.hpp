@@ -2,11 +2,11 @@
 /// vehicles use them, against solutions along curves that are 100 to 1000 times as accurate.
 ///
 /// Scenes of four kinds. `wheels`: all built-in wheels on all built-in rails with the dimensions
-/// that belong to them, radii worn by up to a tenth, cant 0, 1:40 or 1:20, lateral displacements to
-/// 8 mm, yaw to 10 mrad on half of them, 20 to 150 kN a wheel. `creep`: the same, with creep forces
-/// from a motion. `flats`: a wheel with a flat, sharp or rounded, at or beside it, and `crossings`:
-/// one on the crossing of drivers/studies; both with creep forces. Slices are written into the
-/// folder truth_lists, where the program runs.
+/// that belong to them, radii worn by up to a tenth, inclination 0, 1:40 or 1:20, lateral
+/// displacements to 8 mm, yaw to 10 mrad on half of them, 20 to 150 kN a wheel. `creep`: the same,
+/// with creep forces from a motion. `flats`: a wheel with a flat, sharp or rounded, at or beside
+/// it, and `crossings`: one on the crossing of drivers/studies; both with creep forces. Slices are
+/// written into the folder truth_lists, where the program runs.
 ///
 /// Truth: solve.curved "yes" at `curved_accuracy`, creep forces at `creep_truth_accuracy`. The
 /// difference to a truth four times as coarse is its uncertainty. Results whose uncertainty exceeds

@@ -60,11 +60,11 @@ constexpr std::array cants{1.0 / 40.0, 1.0 / 20.0, 0.0};
 
 /// As vehicles use it.
 void draw_use(driver::Draw& draw, driver::Settings& scene) {
-  scene.set("track.cant", std::atan(draw.one_of(cants)));
+  scene.set("track.inclination", std::atan(draw.one_of(cants)));
   scene.set("pose.lateral", draw.between(-8.0, 8.0));
   const double yaw = draw.between(-0.01, 0.01);
   scene.set("pose.yaw", draw.chance(0.5) ? yaw : 0.0);
-  scene.set("load.vertical", draw.between_by_ratio(20e3, 150e3));
+  scene.set("load.both", draw.between_by_ratio(20e3, 150e3));
 }
 
 void draw_motion(driver::Draw& draw, driver::Settings& scene) {

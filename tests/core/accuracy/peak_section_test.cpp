@@ -56,7 +56,7 @@ TEST(PeakSection, FindsACrestAtTheEdgeOnFewRows) {
   scene.back_to_back = 1353.0;
   scene.left.radius = scene.right.radius = 815.4107784831;
   scene.track.gauge_height = 16.0;
-  scene.track.cant = 0.0;
+  scene.track.inclination = 0.0;
   scene.lateral = 5.9892175406659565;
   scene.left.load = scene.right.load = 39767.54751222384;
   scene.accuracy = 1e-2;
@@ -70,7 +70,7 @@ TEST(PeakSection, FindsACrestOfFewStripsWhereTheRailTurns) {
   scene.left.wheel.name = scene.right.wheel.name = "LM";
   scene.left.rail.name = scene.right.rail.name = "UIC60-Manchester";
   scene.left.radius = scene.right.radius = 450.0;
-  scene.track.cant = 0.025;
+  scene.track.inclination = 0.025;
   scene.lateral = 3.6192200982044778; // the right wheel at -3.6
   scene.left.load = scene.right.load = 64433.208577515805;
   scene.accuracy = 1e-2;
@@ -85,7 +85,7 @@ TEST(PeakSection, FindsACrestAtTheEdgeThatOtherPressuresDoNotIndicate) {
   scene.left.rail.name = scene.right.rail.name = "54E2";
   scene.back_to_back = 1353.0;
   scene.left.radius = scene.right.radius = 402.7779769569668;
-  scene.track.cant = 0.0;
+  scene.track.inclination = 0.0;
   scene.lateral = 4.426819897021721;
   scene.yaw = -0.004348968964251736;
   scene.left.load = scene.right.load = 23702.825677801095;
@@ -101,7 +101,7 @@ TEST(PeakSection, ConvergesWhereACrestIsNarrow) {
   scene.left.rail.name = scene.right.rail.name = "54E1";
   scene.back_to_back = 1353.0;
   scene.left.radius = scene.right.radius = 421.31234301340305;
-  scene.track.cant = 0.02499479361892016;
+  scene.track.inclination = 0.02499479361892016;
   scene.lateral = 6.181563264567742;
   scene.yaw = -0.008892087308720242;
   scene.left.load = scene.right.load = 31577.916208644896;

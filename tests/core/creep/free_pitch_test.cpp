@@ -179,7 +179,7 @@ TEST(FreePitch, MatchesContactsCasesWithAPrescribedForce) {
     scene.left.friction.coefficient = scene.right.friction.coefficient = input.at("mu");
     scene.track.gauge = input.at("gauge_mm");
     scene.track.gauge_height = input.at("gauge_height_mm");
-    scene.track.cant = input.at("cant_rad");
+    scene.track.inclination = input.at("cant_rad");
     scene.back_to_back = input.at("flange_back_distance_mm");
     scene.lateral = -input.at("y_ws_mm").get<double>();
     scene.yaw = 0.0;
@@ -212,7 +212,7 @@ TEST(FreePitch, StepsOfUnlikeBodiesEndTheSearch) {
   Scene scene;
   set_text(scene, "wheelset.wheel", "LM");
   set_text(scene, "track.rail", "54E3");
-  set_text(scene, "track.cant", "1:30");
+  set_text(scene, "track.inclination", "1:30");
   scene.wheel_material = {92084.7, 0.03215};
   scene.rail_material = {530561.2, 0.03847};
   scene.left.load = 4086.93;
@@ -244,7 +244,7 @@ TEST(FreePitch, JumpsOfForcesEndTheSearch) {
   Scene scene;
   set_text(scene, "wheelset.wheel", "LM");
   set_text(scene, "track.rail", "54E1");
-  set_text(scene, "track.cant", "1:20");
+  set_text(scene, "track.inclination", "1:20");
   set_number(scene, "track.gauge", 1442.107946106634);
   set_number(scene, "track.gauge_height", 12.291186898315406);
   set_number(scene, "wheelset.back_to_back", 1360.5458673425089);

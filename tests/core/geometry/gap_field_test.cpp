@@ -71,7 +71,7 @@ std::vector<Bodies> all_bodies() {
       flattened_cylinder(460.0, 0.2, 0.002, [](double t) { return rounded_depth(t, 0.9, 0.1); }),
       0.0304);
   TrackDimensions inclined = level_track;
-  inclined.cant = 0.025;
+  inclined.inclination = 0.025;
   const RailSurface level(standard_profile("60E1"), level_track);
   const auto slices = sliced_rail(wavy_rail(), 0.0);
   const RailSurface varying = rail_of(wavy_rail(), 3.31);

@@ -52,7 +52,7 @@ void expect_met(const RailSurface& rail, double along_slope, double across_slope
 TEST(RailLine, MeetsTheSurfaceWhereBisectionDoes) {
   const RailSurface level = rail_of(rising_rail(), 10.0);
   TrackDimensions canted = level_track;
-  canted.cant = 0.025;
+  canted.inclination = 0.025;
   const RailSurface inclined = rail_of(rising_rail(), -10.0, canted, {0.4, -0.2, 0.05});
   for (const RailSurface* rail : {&level, &inclined})
     for (const double along : {0.0, -0.05, 0.1})

@@ -65,7 +65,7 @@ TEST_F(SceneFile, NumbersInMillimetresWhateverTheConvention) {
 
 TEST_F(SceneFile, LeavesOutRedundantKeys) {
   Scene scene;
-  EXPECT_TRUE(contains(written(scene), "\n[load]\nvertical = 80000.0\n"));
+  EXPECT_TRUE(contains(written(scene), "\n[load]\nboth = 80000.0\n"));
   set_number(scene, "load.left", 70000.0);
   EXPECT_TRUE(contains(written(scene), "\n[load]\nleft = 70000.0\n"));
 }

@@ -61,7 +61,7 @@ TEST(SceneKeyTable, NumbersOfOneSideLeaveTheOtherAlone) {
   named("load.left").set_number(scene, 5e4);
   EXPECT_EQ(std::get<double>(named("load.left").get(scene)), 5e4);
   EXPECT_EQ(std::get<double>(named("load.right").get(scene)), 8e4);
-  EXPECT_TRUE(std::holds_alternative<std::monostate>(named("load.vertical").get(scene)));
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(named("load.both").get(scene)));
 }
 
 } // namespace

@@ -54,32 +54,13 @@ std::vector<std::string> told(const Scene& scene) {
 using Texts = std::vector<std::string>;
 const std::vector<double> creepages{0.001, 0.0, 0.0};
 
-TEST(UnusedKeys, OfTwoLoadsTheOneSetLastCounts) {
-  EXPECT_EQ(told(scene_with({{"load.vertical", 7e4}, {"load.normal", 8e4}})),
-            Texts{"load.vertical is not used: load.normal is set"});
-  EXPECT_EQ(told(scene_with({{"load.normal", 8e4}, {"load.left", 2e4}})),
-            Texts{"load.normal is not used: load.left is set"});
-  EXPECT_EQ(told(scene_with({{"load.left", 2e4}, {"load.normal", 8e4}})),
-            Texts{"load.left is not used: load.normal is set"});
-  EXPECT_EQ(told(scene_with({{"load.normal", 6e4}, {"load.total_vertical", 5e4}})),
-            Texts{"load.normal is not used: load.total_vertical is set"});
-  EXPECT_EQ(told(scene_with({{"load.total_vertical", 5e4}, {"load.normal", 6e4}})),
-            Texts{"load.total_vertical is not used: load.normal is set"});
-  EXPECT_EQ(told(scene_with({{"load.total_vertical", 5e4}, {"load.vertical", 6e4}})),
-            Texts{"load.total_vertical is not used: load.vertical is set"});
-  EXPECT_EQ(told(scene_with({{"load.right", 5e4}, {"load.total_right", 6e4}})),
-            Texts{"load.right is not used: load.total_right is set"});
-  EXPECT_EQ(told(scene_with({{"load.total_left", 5e4}, {"load.left", 6e4}})),
-            Texts{"load.total_left is not used: load.left is set"});
-}
-
 TEST(UnusedKeys, APrescribedHeightNeedsNoLoad) {
-  EXPECT_EQ(told(scene_with({{"pose.vertical", 459.8}, {"load.total_vertical", 7e4}})),
-            Texts{"load.total_vertical is not used: pose.vertical is set"});
-  EXPECT_EQ(
-      told(scene_with({{"load.vertical", 7e4}, {"load.left", 6e4}, {"pose.vertical", 459.8}})),
-      (Texts{"load.vertical is not used: pose.vertical is set",
-             "load.left is not used: pose.vertical is set"}));
+  EXPECT_EQ(told(scene_with({{"pose.vertical", 459.8}, {"load.both", 7e4}, {"load.of", "total"}})),
+            (Texts{"load.both is not used: pose.vertical is set",
+                   "load.of is not used: pose.vertical is set"}));
+  EXPECT_EQ(told(scene_with({{"load.both", 7e4}, {"load.left", 6e4}, {"pose.vertical", 459.8}})),
+            (Texts{"load.both is not used: pose.vertical is set",
+                   "load.left is not used: pose.vertical is set"}));
 }
 
 TEST(UnusedKeys, CreepagesTakeThePlaceOfTheMotion) {
@@ -131,20 +112,21 @@ TEST(UnusedKeys, FrictionAndGrid) {
 
 TEST(UnusedKeys, WhatAgreesOrIsUnsetIsNoneOfThem) {
   EXPECT_EQ(told(Scene()), Texts{});
-  EXPECT_EQ(told(scene_with({{"load.vertical", 7e4}, {"load.left", 6e4}, {"pose.lateral", 3.0}})),
+  EXPECT_EQ(told(scene_with({{"load.both", 7e4}, {"load.left", 6e4}, {"pose.lateral", 3.0}})),
             Texts{});
-  EXPECT_EQ(told(scene_with({{"load.total_vertical", 7e4}, {"load.total_left", 6e4}})), Texts{});
-  EXPECT_EQ(told(scene_with({{"load.normal", 7e4}, {"load.normal", "none"}, {"load.left", 6e4}})),
-            Texts{});
-  EXPECT_EQ(told(scene_with(
-                {{"load.vertical", 7e4}, {"pose.vertical", 459.8}, {"pose.vertical", "solve"}})),
-            Texts{});
+  EXPECT_EQ(
+      told(scene_with(
+          {{"load.both", 7e4}, {"load.of", "total"}, {"load.left", 6e4}, {"load.of", "total"}})),
+      Texts{});
+  EXPECT_EQ(
+      told(scene_with({{"load.both", 7e4}, {"pose.vertical", 459.8}, {"pose.vertical", "solve"}})),
+      Texts{});
   EXPECT_EQ(told(scene_with({{"creepage.left", creepages}, {"motion.speed", 2e4}})), Texts{})
       << "the speed is that of the frictional power";
 }
 
 TEST(UnusedKeys, AreWarningsOfAResultButNotOfAStep) {
-  Scene scene = scene_with({{"load.vertical", 7e4},
+  Scene scene = scene_with({{"load.both", 7e4},
                             {"motion.pitch", "free"},
                             {"motion.torque", 1e6},
                             {"solve.accuracy", 0.1}});
@@ -157,21 +139,22 @@ TEST(UnusedKeys, AreWarningsOfAResultButNotOfAStep) {
   SceneResult result = solve_scene(scene);
   const Warnings all = all_warnings(result);
   ASSERT_GE(all.size(), 1U);
-  EXPECT_EQ(all.front().text, "load.vertical is not used: pose.vertical is set");
+  EXPECT_EQ(all.front().text, "load.both is not used: pose.vertical is set");
   EXPECT_EQ(number_value(result, "warning_count"), static_cast<double>(all.size()));
 }
 
 /// What a scene file holds of defaults sets nothing when it is read, and nothing is lost in it.
 TEST(UnusedKeys, ASceneFileKeepsWhatHasNoEffect) {
-  EXPECT_EQ(told(scene_with({{"load.vertical", 8e4},
+  EXPECT_EQ(told(scene_with({{"load.both", 8e4},
                              {"motion.torque", 0.0},
-                             {"load.normal", 5e4},
+                             {"load.of", "pressures"},
                              {"creepage.left", creepages}})),
             Texts{});
   const Scene sides =
-      scene_with({{"load.vertical", 5e4}, {"load.left", 6e4}, {"pose.vertical", 459.7}});
+      scene_with({{"load.both", 5e4}, {"load.left", 6e4}, {"pose.vertical", 459.7}});
   EXPECT_NE(scene_text(sides).find("\nleft = 60000.0\nright = 50000.0\n"), std::string::npos);
-  EXPECT_NE(scene_text(scene_with({{"load.normal", 8e4}})).find("\n[load]\nvertical = 80000.0\n"),
+  EXPECT_NE(scene_text(scene_with({{"load.both", 8e4}, {"load.of", "normal"}}))
+                .find("\nof = \"normal\"\n"),
             std::string::npos);
 }
 

@@ -109,7 +109,7 @@ Scene of_large_wheel(SideChoice side, const char* rail, double radius, double ca
   scene.side = side;
   scene.left.rail.name = scene.right.rail.name = rail;
   scene.left.radius = scene.right.radius = radius;
-  scene.track.cant = cant;
+  scene.track.inclination = cant;
   scene.accuracy_of = AccuracyOf::forces;
   return scene;
 }

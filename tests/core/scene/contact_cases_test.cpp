@@ -33,7 +33,7 @@ Scene scene_of(const nlohmann::json& entry) {
   Scene scene;
   scene.left.rail.name = scene.right.rail.name = entry.at("rail");
   scene.left.wheel.name = scene.right.wheel.name = entry.at("wheel");
-  set_text(scene, "track.cant", entry.at("cant").get<std::string>());
+  set_text(scene, "track.inclination", entry.at("cant").get<std::string>());
   scene.track.gauge = entry.at("gauge_mm");
   scene.track.gauge_height = entry.at("gauge_height_mm");
   scene.back_to_back = entry.at("back_to_back_mm");
@@ -135,7 +135,7 @@ TEST(ContactCases, AllAgree) {
     if (id == delicate_case) {
       scene.left.rail.name = scene.right.rail.name =
           reference_file("profiles/UIC60-Manchester.txt").string();
-      scene.track.cant = 0.0; // already in the points
+      scene.track.inclination = 0.0; // already in the points
     }
     const double element = entry.at("element_mm");
     const double load = entry.at("vertical_load_N");

@@ -269,7 +269,7 @@ Scene scene_of_case(const nlohmann::json& input, const nlohmann::json& patch) {
   Scene scene;
   scene.left.wheel.name = scene.right.wheel.name = reference_file(input.at("wheel")).string();
   scene.left.rail.name = scene.right.rail.name = reference_file(input.at("rail")).string();
-  scene.track.cant = input.at("cant_rad");
+  scene.track.inclination = input.at("cant_rad");
   scene.track.gauge = input.at("gauge_mm");
   scene.track.gauge_height = input.at("gauge_height_mm");
   scene.left.radius = scene.right.radius = input.at("nominal_radius_mm");
@@ -280,7 +280,8 @@ Scene scene_of_case(const nlohmann::json& input, const nlohmann::json& patch) {
   scene.lateral = -input.at("y_ws_mm").get<double>();
   scene.yaw = -input.at("yaw_rad").get<double>();
   scene.roll = input.at("roll_rad").get<double>();
-  scene.normal_load = patch.at("Fn_N").get<double>();
+  scene.load_of = LoadOf::normal;
+  scene.left.load = scene.right.load = patch.at("Fn_N");
   scene.left.friction.coefficient = scene.right.friction.coefficient = input.at("mu");
   const Creepages creepages{-patch.at("cksi").get<double>(), patch.at("ceta").get<double>(),
                             patch.at("cphi_per_mm").get<double>()};
@@ -365,7 +366,8 @@ TEST(CreepForces, TwoPatchesOnTheFlangeAddUpToTheTotalForce) {
   const nlohmann::json& input = entry->at("input");
   const nlohmann::json& expected = entry->at("grids").back();
   Scene scene = scene_of_case(input, expected.at("patches")[0]);
-  scene.normal_load.reset();
+  scene.load_of = LoadOf::pressures;
+  scene.left.load = scene.right.load = 80e3;
   scene.left.creepages.reset();
   scene.right.creepages.reset();
   scene.motion = Motion{.speed = 1e3 * input.at("vx_m_s").get<double>(),

@@ -108,8 +108,8 @@ TEST(Sides, ARolledRailEqualsARailOfAnotherCant) {
   rolled.left.displacement.roll = 0.01;
   Scene canted = scene_at(0.0);
   canted.roll = 0.0;
-  canted.track.cant += 0.01;
-  // A cant turns the rail about its origin too, before the track puts it in its place.
+  canted.track.inclination += 0.01;
+  // An inclination turns the rail about its origin too, before the track puts it in its place.
   const RailSurface from(standard_profile("60E1"), rolled.track);
   const RailSurface to(standard_profile("60E1"), canted.track);
   rolled.left.displacement.lateral = to.origin_y() - from.origin_y();

@@ -59,7 +59,8 @@ Scene scene_of(const Case& one) {
   scene.roll = one.roll;
   scene.accuracy = 1e-3;
   scene.accuracy_of = AccuracyOf::forces;
-  scene.normal_load = one.by_element.normal;
+  scene.load_of = LoadOf::normal;
+  scene.left.load = scene.right.load = one.by_element.normal;
   scene.motion = Motion{.speed = 2e4, .pitch = 1.001 * 2e4 / 460.0};
   return scene;
 }
@@ -110,7 +111,8 @@ TEST(SlipByElement, IsNearlyThatOfFittedCreepagesOnATread) {
 Scene sliding_lobes() {
   Scene scene = scene_of(cases[3]);
   scene.roll = -3.554e-4;
-  scene.normal_load = 9545.0;
+  scene.load_of = LoadOf::normal;
+  scene.left.load = scene.right.load = 9545.0;
   scene.motion = Motion{.speed = 2e3, .pitch = 4.335};
   return scene;
 }
@@ -238,7 +240,7 @@ TEST(SlipByElement, IsAContinuousFunctionOfTheScene) {
   for (const double lateral : {-4.62, -5.0, -6.0}) {
     Scene scene = scene_of(cases[0]);
     scene.accuracy = 1e-2;
-    scene.normal_load.reset();
+    scene.load_of = LoadOf::pressures;
     scene.right.load = 8e4;
     std::vector<double> forces;
     for (int step = 0; step < 40; ++step) {

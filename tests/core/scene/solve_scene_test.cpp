@@ -69,7 +69,7 @@ TEST(SolveScene, OscillatingDepthsStayBelowTheFirstTouch) {
   scene.left.radius = scene.right.radius = 397.4857841615228;
   scene.track.gauge = 1433.289749586064;
   scene.track.gauge_height = 11.43363854782805;
-  scene.track.cant = std::atan(1.0 / 20.0);
+  scene.track.inclination = std::atan(1.0 / 20.0);
   scene.grid = {{34, 25}};
   scene.tolerance = 2e-6;
   scene.accuracy = 0.0019965984507527676;
@@ -80,7 +80,8 @@ TEST(SolveScene, OscillatingDepthsStayBelowTheFirstTouch) {
   SceneSolver solver;
   for (const auto& [share, shift] : {std::pair{0.97, 0.1}, {1.0, 0.0}}) {
     scene.lateral = share * lateral + shift;
-    scene.normal_load = (shift > 0.0 ? 0.9 : 1.0) * load;
+    scene.load_of = LoadOf::normal;
+    scene.right.load = (shift > 0.0 ? 0.9 : 1.0) * load;
     const WheelResult side = *solver.solve(scene).right;
     EXPECT_GT(side.depth, 0.05);
     EXPECT_LT(side.depth, 1.0);

@@ -28,7 +28,7 @@ Scene coarse_scene() {
 }
 
 TEST(TableGrid, CellsAreCountedWithTheFirstKeyFastest) {
-  const TableGrid grid(coarse_scene(), "pose.lateral load.vertical", values.data(), counts.data(),
+  const TableGrid grid(coarse_scene(), "pose.lateral load.both", values.data(), counts.data(),
                        "left.normal_force left.pmax");
   ASSERT_EQ(grid.cell_count(), 6U);
   ASSERT_EQ(grid.result_count(), 2U);
@@ -38,7 +38,7 @@ TEST(TableGrid, CellsAreCountedWithTheFirstKeyFastest) {
     grid.solve_cell(cell, solver, results.data());
     Scene scene = coarse_scene();
     set_number(scene, "pose.lateral", values[cell % 3]);
-    set_number(scene, "load.vertical", values[3 + cell / 3]);
+    set_number(scene, "load.both", values[3 + cell / 3]);
     const SceneResult expected = solve_scene(scene);
     EXPECT_EQ(results[0], expected.left->normal_force);
     EXPECT_EQ(results[1], expected.left->pmax);
@@ -60,10 +60,10 @@ TEST(TableGrid, AnImpossibleSceneIsRefusedAtOnce) {
     const TableGrid grid(coarse_scene(), keys, values.data(), counts.data(), results);
   };
   expect_error(
-      ErrorCode::unknown_name, [&] { make("pose.lateral load.vertical", "left.nothing"); },
+      ErrorCode::unknown_name, [&] { make("pose.lateral load.both", "left.nothing"); },
       "left.nothing");
   expect_error(
-      ErrorCode::unknown_name, [&] { make("pose.nothing load.vertical", "left.pmax"); },
+      ErrorCode::unknown_name, [&] { make("pose.nothing load.both", "left.pmax"); },
       "pose.nothing");
   expect_error(
       ErrorCode::invalid_argument, [&] { make("pose.lateral pose.lateral", "left.pmax"); },
@@ -73,7 +73,7 @@ TEST(TableGrid, AnImpossibleSceneIsRefusedAtOnce) {
 }
 
 TEST(TableGrid, TheFileHoldsKeysAndResultsRowByRow) {
-  const TableGrid grid(coarse_scene(), "pose.lateral load.vertical", values.data(), counts.data(),
+  const TableGrid grid(coarse_scene(), "pose.lateral load.both", values.data(), counts.data(),
                        "left.pmax");
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) /
                                      ("wrcontact_table_test_" + std::to_string(getpid()));
@@ -82,7 +82,7 @@ TEST(TableGrid, TheFileHoldsKeysAndResultsRowByRow) {
   const std::string text = read_file(path, 100000);
   std::filesystem::remove(path);
   EXPECT_NE(text.find("wrcontact 1.2.3"), std::string::npos);
-  EXPECT_NE(text.find("# pose.lateral load.vertical left.pmax\n-2 50000 1.5\n0 50000 2.5\n"
+  EXPECT_NE(text.find("# pose.lateral load.both left.pmax\n-2 50000 1.5\n0 50000 2.5\n"
                       "4 50000 3.5\n-2 90000 4.5\n"),
             std::string::npos)
       << text;

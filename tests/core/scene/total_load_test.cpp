@@ -16,7 +16,7 @@ constexpr double tolerance = 1e-6; ///< as scene/total_load.hpp states
 /// Solutions that it takes until a total is met; the load is left in `search`.
 template <class Total> int solutions(LoadSearch& search, double accuracy, const Total& total) {
   for (int count = 1;; ++count) {
-    if (search.is_met_by(total(search.load()), accuracy, "load.total_left")) {
+    if (search.is_met_by(total(search.load()), accuracy, "load.left")) {
       return count;
     }
   }
@@ -70,7 +70,7 @@ TEST(LoadSearch, RefusesATotalThatNoLoadGives) {
       ADD_FAILURE() << "a load was found: " << search.load();
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
-      EXPECT_NE(std::string(error.what()).find("load.total_left = 80000"), std::string::npos);
+      EXPECT_NE(std::string(error.what()).find("load.left = 80000"), std::string::npos);
     }
   };
   expect_refused([](double load) { return -0.5 * load; });
@@ -120,8 +120,9 @@ TEST(WheelLoads, AreThoseOfTheSceneIfNoTotalIsGiven) {
 
 TEST(WheelLoads, AreFoundForTheSolvedWheels) {
   Scene scene;
-  scene.left.total_load = 5e4;
-  scene.right.total_load = 6e4;
+  scene.load_of = LoadOf::total;
+  scene.left.load = 5e4;
+  scene.right.load = 6e4;
   WheelLoads loads(scene, true, false);
   EXPECT_TRUE(loads.are_sought());
   EXPECT_FALSE(loads.is_open(1));

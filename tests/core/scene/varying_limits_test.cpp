@@ -158,7 +158,7 @@ TEST_F(VaryingScene, RefusesWhatSlicesAndWavesCannotHave) {
       ErrorCode::invalid_argument, [&] { (void)scene_at(scene, state); }, "history", "varies");
   scene = Scene();
   scene.left.wheel.name = wavy_rail();
-  expect_error(ErrorCode::invalid_argument, solve, "those of a wheel");
+  expect_error(ErrorCode::invalid_argument, solve, "they must be of a wheel");
   scene = Scene();
   scene.left.wheel.name = scene.right.wheel.name = wheel_with_flat();
   scene.wheel_placement.lateral_shift = 1.0;
@@ -168,7 +168,8 @@ TEST_F(VaryingScene, RefusesWhatSlicesAndWavesCannotHave) {
   expect_error(ErrorCode::invalid_argument, solve, "wheelset.harmonics: order 700",
                "at least 12 mm");
   scene.left.wheel.harmonics = {{10, 20.0, 0.0}};
-  expect_error(ErrorCode::invalid_argument, solve, "wheelset.harmonics = 20", "slopes");
+  expect_error(ErrorCode::invalid_argument, solve, "wheelset.harmonics = 20",
+               "order times amplitude over radius must be at most 0.2");
 }
 } // namespace
 } // namespace wrc::test::varying_limits_test

@@ -197,7 +197,7 @@ TEST_F(VaryingScene, ARisingRailIsALevelOneOnATurnedTrack) {
     const auto scene_of = [&](const std::string& rail) {
       Scene scene = scene_on(rail);
       scene.side = SideChoice::left;
-      scene.track.cant = 0.0;
+      scene.track.inclination = 0.0;
       scene.roll = 0.0;
       scene.track.origin = 753.0;
       scene.lateral = 6.0;
@@ -242,7 +242,7 @@ TEST_F(VaryingScene, ModelsOnARisingRailAreThoseOfALevelOne) {
       const auto scene_on_rail = [&](const std::string& rail) {
         Scene scene = each.of(scene_on(rail));
         scene.side = SideChoice::left;
-        scene.track.cant = 0.0;
+        scene.track.inclination = 0.0;
         scene.track.origin = 753.0;
         scene.roll = 0.0;
         scene.lateral = lateral;

@@ -238,7 +238,7 @@ void ask(wrcontact::Scene& scene, const Options& options) {
 wrcontact::Scene make_scene(const Options& options, std::size_t pair, double lateral) {
   wrcontact::Scene scene;
   driver::make_pair(pairs[pair][0], pairs[pair][1]).apply(scene);
-  scene.set("load.vertical", load);
+  scene.set("load.both", load);
   scene.set("pose.lateral", lateral);
   ask(scene, options);
   return scene;
