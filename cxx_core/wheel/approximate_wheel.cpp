@@ -17,6 +17,8 @@
 namespace wrc {
 namespace {
 
+constexpr Vector3 upwards{0.0, 0.0, 1.0};
+
 class ApproximateWheel {
 public:
   ApproximateWheel(const WheelSurface& wheel, const RailSurface& rail,
@@ -42,6 +44,8 @@ private:
   /// How close two patches of different scans are, which have no links, by their distance alone.
   [[nodiscard]] double weight_across_scans(const ContactPatch& one,
                                            const ContactPatch& other) const;
+  /// Of all patches, N.
+  [[nodiscard]] double force_along(const Vector3& direction, double depth) const;
   [[nodiscard]] double load_at(double depth) const;
   /// Depth at which the patches found carry the load.
   [[nodiscard]] double depth_of_load(double start) const;
@@ -120,14 +124,17 @@ double ApproximateWheel::weight_across_scans(const ContactPatch& one,
   return std::clamp(2.0 - apart / joining, 0.0, 1.0);
 }
 
-double ApproximateWheel::load_at(double depth) const {
-  const Vector3 along =
-      request_.normal_load ? models_[planned_.main]->frame().normal : Vector3{0.0, 0.0, 1.0};
-  double load = 0.0;
+double ApproximateWheel::force_along(const Vector3& direction, double depth) const {
+  double force = 0.0;
   for (const auto& model : models_) {
-    load += dot(model->frame().normal, along) * model->load(depth);
+    force += dot(model->frame().normal, direction) * model->load(depth);
   }
-  return load;
+  return force;
+}
+
+double ApproximateWheel::load_at(double depth) const {
+  return force_along(request_.normal_load ? models_[planned_.main]->frame().normal : upwards,
+                     depth);
 }
 
 /// The load goes about with the power 3/2 of the depth, so its power 2/3 is nearly linear: secants
@@ -254,7 +261,7 @@ WheelSolution ApproximateWheel::solve() {
   result_.depth = depth_;
   result_.vertical = equilibrium_.vertical - depth_;
   if (!request_.position_is_prescribed()) {
-    result_.load = request_.load();
+    result_.load = request_.load() * (force_along(upwards, depth_) / load_at(depth_));
   }
   publish_patches();
   result_.times.mechanics = watch.seconds();

@@ -188,6 +188,21 @@ TEST(TotalLoad, IsChosenForBothWheels) {
                "total");
 }
 
+/// Approximate models carry it like the half-space, on each wheel its own.
+TEST(TotalLoad, OfTheNormalIsMetByEveryModel) {
+  for (const char* model : {"half-space", "hertz", "kik-piotrowski"}) {
+    const ScenePointer scene = make_scene();
+    solve(scene.get(), {{"solve.model", model},
+                        {"pose.lateral", 3.0},
+                        {"load.of", "normal"},
+                        {"load.left", 50e3},
+                        {"load.right", 60e3}});
+    EXPECT_NEAR(number_of(scene.get(), "left.normal_force"), 50e3, 1e-4 * 50e3) << model;
+    EXPECT_NEAR(number_of(scene.get(), "right.normal_force"), 60e3, 1e-4 * 60e3) << model;
+    EXPECT_LT(number_of(scene.get(), "left.residuals.load_balance"), 1e-6) << model;
+  }
+}
+
 /// The position is prescribed then: loads are results.
 TEST(TotalLoad, DoesNotMatterWithThePositionPrescribed) {
   const ScenePointer total = moving_scene(1.0, 1e-3);
