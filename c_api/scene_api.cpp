@@ -36,7 +36,10 @@ Type value_of_type(const wrc::Scene& scene, const char* key, const char* type) {
     return std::move(*found);
   }
   throw wrc::Error(wrc::ErrorCode::invalid_argument,
-                   std::string(key) + ": its value is not a " + type);
+                   std::string(key) + (std::holds_alternative<std::monostate>(value)
+                                           ? ": has no single value, since its parts differ; read "
+                                             "the key of each wheel, side or body"
+                                           : std::string(": its value is not a ") + type));
 }
 
 constexpr const char* known_but_absent = ": the name is known, but this solution has no such ";

@@ -69,9 +69,9 @@ const Key& find_key(std::string_view name) {
                   "Python, wrc_keys in Octave");
 }
 
-[[noreturn]] void refuse(const Key& key, const std::string& value) {
+[[noreturn]] void refuse(const Key& key, const std::string& value, const char* remark = "") {
   throw_invalid_argument(std::string(key.description.name), value,
-                         must_be(key.description.allowed));
+                         must_be(key.description.allowed) + remark);
 }
 
 /// The number that a text is, or none.
@@ -232,9 +232,10 @@ void set_numbers(Scene& scene, std::string_view name, std::span<const double> va
     for (const double value : values.first(std::min(values.size(), max_named))) {
       text += (text.size() > 1 ? ", " : "") + text_of(value);
     }
-    refuse(key, text + (values.size() > max_named
-                            ? ", ...], " + std::to_string(values.size()) + " values"
-                            : "]"));
+    text +=
+        values.size() > max_named ? ", ...], " + std::to_string(values.size()) + " values" : "]";
+    refuse(key, text,
+           scene.convention == Convention{} ? "" : "; stated in mm, N, MPa, y left, z up");
   }
   Scene usual;
   usual.convention = scene.convention;

@@ -182,6 +182,8 @@ TEST(TotalLoad, IsChosenForBothWheels) {
   double load = 0.0;
   EXPECT_EQ(wrc_scene_get_number(s, "load.right", &load), WRC_OK);
   EXPECT_EQ(load, 80e3);
+  expect_error(s, wrc_scene_get_number(s, "load.both", &load), WRC_INVALID_ARGUMENT, "load.both",
+               "has no single value");
   expect_error(s, wrc_scene_set_number(s, "load.left", -1.0), WRC_INVALID_ARGUMENT, "load.left",
                "between 0 and 1e12 N");
   expect_error(s, wrc_scene_set_text(s, "load.of", "everything"), WRC_INVALID_ARGUMENT, "load.of",

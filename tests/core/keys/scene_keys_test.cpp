@@ -196,6 +196,18 @@ TEST(SceneKeys, FrictionByPositionNeedsPairsWithRisingPositions) {
   EXPECT_EQ(std::get<std::string>(key_value(scene, "friction.places")), "none");
 }
 
+TEST(SceneKeys, RangesOfListsAreStatedWithTheirUnits) {
+  Scene scene;
+  const std::vector<double> far{1e6, 0.0, 0.0};
+  const auto refusal = [&] {
+    return error_text([&] { set_numbers(scene, "track.left.displacement", far); },
+                      ErrorCode::invalid_argument);
+  };
+  EXPECT_FALSE(refusal().ends_with("stated in mm, N, MPa, y left, z up"));
+  set_text(scene, "convention.units", "SI");
+  EXPECT_TRUE(refusal().ends_with("stated in mm, N, MPa, y left, z up"));
+}
+
 TEST(SceneKeys, GridCountsAreWholeNumbers) {
   Scene scene;
   for (const auto& wrong : {std::array{0.0, 4.0}, std::array{2.5, 4.0}, std::array{4.0, 1e9}}) {
