@@ -177,13 +177,16 @@ WRC_VECTOR_CLONES void divide(double* values, const double* by, std::size_t coun
   }
 }
 
-/// c / sqrt(x_i^2 + square).
-WRC_VECTOR_CLONES void fill_link(double coupling_weight, double square, double along,
-                                 const double* position, std::size_t count, double* values) {
+/// c / sqrt(x_i^2 + across_squared), of nodes that are no nearer than `least`.
+WRC_VECTOR_CLONES void fill_link(double coupling_weight, double across_squared, double least,
+                                 double along, const double* position, std::size_t count,
+                                 double* values) {
+  const double least_squared = least * least;
 #pragma omp simd
   for (std::size_t i = 0; i < count; ++i) {
     const double x = along - position[i];
-    values[i] = coupling_weight / std::sqrt(x * x + square);
+    const double square = x * x + across_squared;
+    values[i] = coupling_weight / std::sqrt(square > least_squared ? square : least_squared);
   }
 }
 
@@ -230,16 +233,12 @@ PatchCoupling::Link PatchCoupling::make_link(std::size_t one, std::size_t other,
   const double longitudinal = boxes_[one].longitudinal_first - boxes_[other].longitudinal_first;
   const double least = std::max({here.rows.half_spacing, here.columns.half_spacing,
                                  there.rows.half_spacing, there.columns.half_spacing});
-  const double distance =
-      std::hypot(between(lateral_of(boxes_[one]), lateral_of(boxes_[other])),
-                 between(longitudinal_of(boxes_[one]), longitudinal_of(boxes_[other])));
-  const double softening = std::max(0.0, least * least - distance * distance);
   double* values = link.values.data();
   for (const double row : here.rows.position) {
     for (const double column : here.columns.position) {
       for (const double other_row : there.rows.position) {
         const double across = lateral + row - other_row;
-        fill_link(coupling_weight, across * across + softening, longitudinal + column,
+        fill_link(coupling_weight, across * across, least, longitudinal + column,
                   there.columns.position.data(), there.columns.nodes(), values);
         values += there.columns.nodes();
       }

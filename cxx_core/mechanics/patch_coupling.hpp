@@ -12,8 +12,9 @@
 /// ln rho = max(arcosh(1 + B/a), arsinh(S/a)) (Trefethen, Approximation Theory and Approximation
 /// Practice, 2013, theorem 8.2). n is taken from that, 16 at most: the error stays below 1.5 times
 /// the requested one where boxes are farther apart than half their length along the gap, and is
-/// 2e-4 to 1e-2 of the displacement where they are nearly in touch. Where their distance is less
-/// than half of the mean distance of the nodes, r counts as if it were that.
+/// 2e-4 to 1e-2 of the displacement where they are nearly in touch. Two nodes that are nearer to
+/// each other than half of the mean distance of nodes, as where boxes overlap, count as if they
+/// were that far apart; no other pair of nodes changes with it, wherever the ends of the boxes lie.
 ///
 /// Units: pressures in any one unit P, lengths in mm; the displacement of each box comes in P times
 /// the box's `unit` (its longitudinal step) over pi E*, as in influence_cache.hpp.

@@ -380,6 +380,38 @@ struct TwoBoxes {
   }
 };
 
+/// What half an ellipsoid of pressure displaces eight rows beyond it, with boxes that hold so many
+/// rows without pressure in between.
+double displaced_beyond_empty_rows(std::size_t empty) {
+  constexpr std::size_t rows = 96;
+  constexpr std::size_t columns = 24;
+  constexpr double step = 0.1;
+  const std::size_t count = rows + empty;
+  PatchCoupling coupling(
+      {{count, columns, step, step, 0.0, 0.0},
+       {count, columns, step, step, step * static_cast<double>(rows + 8 - empty), 0.0}},
+      {0.0, 1.0, 1.0, 0.0});
+  std::vector<double> pressure(count * columns);
+  for (std::size_t i = 0; i < rows * columns; ++i) {
+    const double y = (static_cast<double>(i / columns) - 0.5 * (rows - 1)) / (0.5 * rows);
+    const double x = (static_cast<double>(i % columns) - 0.5 * (columns - 1)) / (0.5 * columns);
+    pressure[i] = std::sqrt(std::max(0.0, 1.0 - x * x - y * y));
+  }
+  NodeField field = coupling.field();
+  coupling.gather(0, pressure.data(), field.load);
+  coupling.transfer(field);
+  std::vector<double> found(pressure.size());
+  coupling.add_others(field, 1, found.data());
+  return found[empty * columns + columns / 2];
+}
+
+TEST(PatchCoupling, DoesNotDependOnRowsWithoutPressureBetweenTheBoxes) {
+  const double apart = displaced_beyond_empty_rows(0);
+  for (const std::size_t empty : {2U, 3U, 4U}) {
+    EXPECT_NEAR(displaced_beyond_empty_rows(empty) / apart, 1.0, 1e-4) << empty;
+  }
+}
+
 TEST(PatchCoupling, MeetsTheRequestedErrorOnSeparateBoxes) {
   for (const double error : {1e-3, 1e-4, 1e-5}) {
     for (const double step : {0.03, 0.1, 0.3}) {
