@@ -1,6 +1,6 @@
 /// Jacobians of the contact forces of a wheel against central differences of whole scenes.
 ///
-///   compare_jacobian [SCENES [ACCURACY]]     default 500 1e-2
+///   compare_jacobian [SCENES [ACCURACY [OF_DIFFERENCES]]]     default 500 1e-2 1e-3
 ///
 /// Prints the table of docs/derivatives.md: for each position and velocity the error of its column
 /// of the Jacobian, moments over 750 mm, over the column's largest entry, and the fraction of
@@ -11,7 +11,8 @@
 /// positions while the height follows so that the vertical force stays: what is left without the
 /// contact's stiffness. Scenes are drawn at random, with the position prescribed at which a wheel
 /// carries 20 to 130 kN: S1002 and LMA on four rails, up to flange contact, creepages up to 0.3 %.
-/// The differences are those of scenes at 1e-3.
+/// The differences are those of scenes at the third argument: at the accuracy of the Jacobian they
+/// show whether forces and Jacobian belong together.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -120,14 +121,14 @@ struct Case {
   Columns found, one, other, without_slip;
 };
 
-Case compare(Scene scene) {
+Case compare(Scene scene, double of_differences) {
   scene.derivatives = true;
   SceneResult here = solve_scene(scene);
   Scene linear = scene;
   linear.creep = CreepModel::linear;
   SceneResult without_slip = solve_scene(linear);
   scene.derivatives = false;
-  scene.accuracy = 1e-3;
+  scene.accuracy = of_differences;
   Case result;
   for (std::size_t which = 0; which < state_count; ++which) {
     const double share = share_of_step(*here.left, which);
@@ -140,19 +141,20 @@ Case compare(Scene scene) {
 }
 
 constexpr const char* usage =
-    "compare_jacobian [SCENES [ACCURACY]]     default 500 1e-2\n\n"
+    "compare_jacobian [SCENES [ACCURACY [OF_DIFFERENCES]]]     default 500 1e-2 1e-3\n\n"
     "Compares Jacobians of the contact forces of a wheel with differences of whole scenes.\n";
 
 int compare_all(const evidence::Arguments& arguments) {
   const int count = arguments.whole(0, "SCENES", 500);
   const double accuracy = arguments.positive(1, "ACCURACY", 1e-2);
-  arguments.refuse_beyond(2);
+  const double of_differences = arguments.positive(2, "OF_DIFFERENCES", 1e-3);
+  arguments.refuse_beyond(3);
   std::array<Errors, state_count> errors;
   std::array<Errors, position_count> held_errors;
   Draw draw;
   for (int i = 0; i < count; ++i) {
     try {
-      const Case of = compare(moving_wheel(draw, i, accuracy));
+      const Case of = compare(moving_wheel(draw, i, accuracy), of_differences);
       for (std::size_t which = 0; which < state_count; ++which) {
         errors[which].add(of.found[which], of.one[which], of.other[which],
                           largest_of(of.without_slip[which]));
