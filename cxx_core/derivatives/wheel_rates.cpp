@@ -43,8 +43,9 @@ Planes find_planes(const WheelResult& side, std::span<const PatchResult* const> 
                                       details.request);
   const auto& found = planes.moving.found.patches;
   for (const PatchResult* patch : patches) {
-    const auto apart = [patch](const ContactPatch& place) {
-      return std::abs(place.mean_y - patch->frame.origin.y);
+    const double y = patch->frame.origin.y;
+    const auto apart = [y](const ContactPatch& place) {
+      return std::max({0.0, place.y_first - y, y - place.y_last});
     };
     const auto nearest = std::ranges::min_element(found, {}, apart);
     planes.index.push_back(static_cast<std::size_t>(nearest - found.begin()));
@@ -134,7 +135,8 @@ motion_of_grid(const PatchResult& patch, const Planes& planes, const WheelDetail
                ? std::optional(ByMotion<ElementMotion>{})
                : std::nullopt;
   }
-  if (moving.found.patches.size() > 1 || details.request.gap != GapConvention::tangent) {
+  if (moving.found.patches.size() > 1 || patch.penetration.semi_across > 0.0 ||
+      details.request.gap != GapConvention::tangent) {
     return std::nullopt;
   }
   return by_motion([&](std::size_t motion) {

@@ -152,4 +152,38 @@ inline constexpr double stress_error_by_crest = 2.5;
 /// origin: reasoned: less does not show in the three digits that are printed.
 inline constexpr double least_share_said = 0.01;
 
+/// Lobes of a patch that may have grids of their own; of more, those with the deepest valleys.
+/// origin: bound: rough profiles have many, which no pressure shows.
+inline constexpr std::size_t most_lobes = 4;
+
+/// Share of the load above which the elements of a lobe approach those of the whole patch.
+/// origin: reasoned: a lobe that is born or lifts bears nothing at first.
+inline constexpr double nearly_all = 0.9;
+
+/// Approach of a lobe, over the deepest overlap, below which its elements hardly shrink, ...
+/// origin: measured (S1002 on 60E1, 5.737 mm): displacements by the other lobe are estimated to
+/// 0.004 of it; elements that vanish with the approach leave a step of 20 N where a lobe lifts.
+inline constexpr double least_lobe_approach = 0.005;
+
+/// ... and how far it is lifted where its grid ends.
+/// origin: reasoned: see least_lobe_approach; no pressure is left there.
+inline constexpr double lifted_approach = 0.03;
+
+/// Half the sides of the grid of a lobe, before its margin, in semi-axes of the expected contact.
+/// origin: measured (a dense solution of S1002 on 60E1): contact reaches up to 1.45 semi-axes from
+/// its mean; where the grid cuts it, forces and slopes of the energy differ by 1e-3.
+inline constexpr double lobe_grid_widths = 1.5;
+
+/// Likewise along the rail, where contact is symmetric.
+/// origin: measured: see lobe_grid_widths.
+inline constexpr double lobe_grid_lengths = 1.3;
+
+/// Change of a load, over all of them, at which loads and displacements of lobes agree.
+/// origin: derived: sizes of elements then change by less than 1e-8.
+inline constexpr double lobe_load_accuracy = 1e-7;
+
+/// Passes over the lobes.
+/// origin: bound: each one gains about a digit; two lobes take 7 to 18.
+inline constexpr int lobe_passes = 40;
+
 } // namespace wrc

@@ -13,6 +13,7 @@
 #include "remesh/mean_curve.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "wheel/constants.hpp"
+#include "wheel/own_lobes.hpp"
 
 namespace wrc {
 namespace {
@@ -205,13 +206,16 @@ int affordable_iterations(double elements, double limit) {
 }
 
 GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equilibrium,
-                          const WheelRequest& request, double depth) {
+                          const WheelRequest& request, double depth, bool with_lobes) {
   GridSolution solution;
   solution.elements = request.elements;
   solution.depth = depth;
   ContactPatches found = find_contact_patches(equilibrium.scans(), depth, request);
   if (request.gap == GapConvention::vertical) {
     found = in_one_plane(found, solution.left_out_s);
+  } else if (with_lobes && std::ranges::any_of(found.patches,
+                                               [](const auto& patch) { return patch.lobes > 1; })) {
+    found = with_own_lobes(found, rail, locus_samples(equilibrium.scan, depth));
   }
   for (const ContactPatch& penetration : found.patches) {
     Patch& patch = solution.patches.emplace_back();
@@ -252,8 +256,11 @@ std::vector<ExpectedContact> expected_contacts(const GridSolution& patches, cons
   }
   std::vector<ExpectedContact> contacts;
   for (const Patch& patch : patches.patches) {
-    contacts.push_back(expected_contact(patch.penetration, patch.frame, potential_area(patch, rail),
-                                        samples[patch.penetration.scan]));
+    const PlaneArea area = potential_area(patch, rail);
+    contacts.push_back(patch.penetration.semi_across > 0.0
+                           ? expected_contact(patch.penetration, area)
+                           : expected_contact(patch.penetration, patch.frame, area,
+                                              samples[patch.penetration.scan]));
     contacts.back().bend = patch.bend;
   }
   return contacts;

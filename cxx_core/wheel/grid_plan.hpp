@@ -43,8 +43,9 @@ private:
 int affordable_iterations(double elements, double limit);
 
 /// The patches and their planes, without grids. `depth` > 0: vertical, from the first touch.
+/// `with_lobes`: those that have grids of their own (own_lobes.hpp) as patches.
 GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equilibrium,
-                          const WheelRequest& request, double depth);
+                          const WheelRequest& request, double depth, bool with_lobes = false);
 
 /// Patch::bend, of patches without grids; 0 of a round wheel on a rail that does not vary.
 void set_bends(GridSolution& patches, const PosedPair& pair);

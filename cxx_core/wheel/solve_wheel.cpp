@@ -33,6 +33,12 @@ std::vector<double> pressure_at(const Patch& patch, const Patch& before) {
   return pressure;
 }
 
+/// A solution of the same patches, or of those that their lobes belong to.
+bool start_fits(const GridSolution& solution, const GridSolution& before) {
+  return before.patches.size() == solution.patches.size() ||
+         before.patches.size() == solution.patches.back().penetration.whole + 1;
+}
+
 double element_count(const GridSolution& solution) {
   double count = 0.0;
   for (const Patch& patch : solution.patches) {
@@ -67,7 +73,7 @@ public:
 
 private:
   [[nodiscard]] double first_depth() const;
-  const GridSolution& patches_at(double depth);
+  const GridSolution& patches_at(double depth, bool with_lobes);
   GridSolution sample(double depth, const GridChoice& grids);
   /// Starting from the pressures of `before`, if that has the same number of patches.
   GridSolution solve_at(double depth, const GridChoice& grids, double tolerance,
@@ -99,6 +105,7 @@ private:
   NormalSolver& solver_;
   AccuracyGoal goal_;
   std::optional<GridSolution> patches_;   ///< at the depth asked for last
+  bool has_lobes_ = false;                ///< on grids of their own, if any
   std::vector<RailNormals> rail_normals_; ///< of the grids sampled last
   ErrorEstimate error_;
   double interaction_error_ = 0.0;
@@ -128,9 +135,13 @@ double WheelSolver::tolerance() const {
 }
 
 /// Without grids. Several are sampled at a depth one after another.
-const GridSolution& WheelSolver::patches_at(double depth) {
-  if (!patches_ || patches_->depth != depth) {
-    patches_ = plan_patches(rail_, equilibrium_, request_, depth);
+const GridSolution& WheelSolver::patches_at(double depth, bool with_lobes) {
+  // Tractions on two grids would not displace each other.
+  with_lobes = with_lobes && goal_.forces_only && !goal_.creep_forces &&
+               WheelAndRail{wheel_, rail_}.is_prismatic_along(along_track);
+  if (!patches_ || patches_->depth != depth || has_lobes_ != with_lobes) {
+    patches_ = plan_patches(rail_, equilibrium_, request_, depth, with_lobes);
+    has_lobes_ = with_lobes;
     set_bends(*patches_, posed(depth));
   }
   return *patches_;
@@ -141,13 +152,13 @@ GridChoice WheelSolver::final_grids(double depth, const AccuracyGoal& goal) {
     return GridChoice(ElementCounts{(*request_.grid)[0], (*request_.grid)[1]});
   }
   return GridChoice(
-      final_elements(expected_contacts(patches_at(depth), rail_, equilibrium_), goal));
+      final_elements(expected_contacts(patches_at(depth, true), rail_, equilibrium_), goal));
 }
 
 /// The grids at a depth, with undeformed distances.
 GridSolution WheelSolver::sample(double depth, const GridChoice& grids) {
   const Stopwatch watch;
-  GridSolution solution = patches_at(depth);
+  GridSolution solution = patches_at(depth, grids.by_size());
   const PosedPair pair = posed(depth);
   if (request_.curved != CurvedChoice::no && request_.gap == GapConvention::tangent) {
     set_curves(solution, pair, request_);
@@ -228,11 +239,12 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
   const Stopwatch watch;
   std::vector<PatchGap> gaps;
   std::vector<ScaledPatch> scaled(solution.patches.size()); // that the gaps refer to
-  const bool starts = before != nullptr && before->patches.size() == solution.patches.size();
+  const bool starts = before != nullptr && start_fits(solution, *before);
   for (std::size_t k = 0; k < solution.patches.size(); ++k) {
     Patch& patch = solution.patches[k];
     if (starts) {
-      patch.pressure = pressure_at(patch, before->patches[k]);
+      const bool same = before->patches.size() == solution.patches.size();
+      patch.pressure = pressure_at(patch, before->patches[same ? k : patch.penetration.whole]);
     }
     if (!request_.position_is_prescribed()) {
       patch.approach_shares = rail_normals_[k].shares({0.0, 0.0, 1.0});
