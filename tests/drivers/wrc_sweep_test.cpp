@@ -316,7 +316,7 @@ TEST_F(WrcSweep, EveryShippedStudyRunsAndDraws) {
     const std::string coarse =
         file.path().stem() == "fig05" ? "--set 'solve.grid=[32, 16]'" : "--set solve.accuracy=0.1";
     const Outcome outcome =
-        run(std::string("'").append(file.path()) + "' " + coarse + " --threads 2 --out o");
+        run(file.path().stem().string() + ' ' + coarse + " --threads 2 --out o");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
     EXPECT_NE(outcome.out.find(" all solved; "), std::string::npos) << file.path() << outcome.out;
     for (const std::string& line : lines_of(outcome.out)) {

@@ -138,9 +138,9 @@ CASES = {
     "other_solver": Case("solved together by the default solver", {
         "solve.solver": "paper", "solve.grid": [32, 32], **FLANGE_AND_TREAD, **LEFT}),
     "close_patches": Case("patches almost touch", {
-        "track.rail": "UIC60-Manchester", "pose.lateral": 6.1396, "pose.yaw": -0.009928,
-        "wheelset.radius": 1000, "track.inclination": 0.05, "load.both": 248675, **LEFT,
-        "solve.joining_distance": 0.02, "solve.interaction": "all", "solve.accuracy": 8e-4}),
+        "track.rail": "UIC60-Manchester", "pose.lateral": 6.2632, "pose.yaw": -0.01971,
+        "track.inclination": 0.05, "load.both": 113710, **LEFT, "solve.joining_distance": 0.02,
+        "solve.interaction": "all", "solve.accuracy": 8e-4}),
     "model_validity": Case("pmax may be off by tens of per cent", {
         "solve.model": "hertz", "pose.lateral": 5, **LEFT}),
     "no_interaction": Case("known in part", {
