@@ -17,6 +17,8 @@
 namespace wrc {
 namespace {
 
+/// Of a vertical load.
+/// origin: derived: z of the track frame.
 constexpr Vector3 upwards{0.0, 0.0, 1.0};
 
 class ApproximateWheel {
