@@ -33,8 +33,9 @@ struct Key {
   Dimension dimension;
   double min = 0.0; ///< range of a number in mm, y left, z up, ends included
   double max = 0.0;
-  bool whole = false;          ///< whole numbers only
-  std::optional<double> usual; ///< a number that is the default, in mm, y left, z up
+  bool whole = false;             ///< whole numbers only
+  std::optional<double> usual;    ///< a number that is the default, in mm, y left, z up
+  std::vector<double> usual_list; ///< a list that is: zeros in any units
   /// Numbers in mm, y left, z up. Setting returns false for what is not permitted.
   std::function<KeyValue(const Scene&)> get;
   std::function<void(Scene&, double)> set_number;

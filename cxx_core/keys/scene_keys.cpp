@@ -25,6 +25,8 @@ const std::vector<Key>& keys() {
       const KeyValue value = key.get(usual);
       if (const auto* number = std::get_if<double>(&value)) {
         key.usual = *number;
+      } else if (const auto* list = std::get_if<std::vector<double>>(&value)) {
+        key.usual_list = *list;
       }
     }
     return made;
@@ -237,9 +239,7 @@ void set_numbers(Scene& scene, std::string_view name, std::span<const double> va
     refuse(key, text,
            scene.convention == Convention{} ? "" : "; stated in mm, N, MPa, y left, z up");
   }
-  Scene usual;
-  usual.convention = scene.convention;
-  mark_given(scene, key, key.get(scene) != key.get(usual));
+  mark_given(scene, key, !std::ranges::equal(values, key.usual_list));
 }
 
 void set_profile(Scene& scene, std::string_view name, const Profile& profile) {

@@ -121,6 +121,9 @@ TEST(UnusedKeys, WhatAgreesOrIsUnsetIsNoneOfThem) {
   EXPECT_EQ(
       told(scene_with({{"load.both", 7e4}, {"pose.vertical", 459.8}, {"pose.vertical", "solve"}})),
       Texts{});
+  const std::vector<double> none(6, 0.0); // as a saved scene has it
+  EXPECT_EQ(told(scene_with({{"creepage.left", creepages}, {"motion.acceleration", none}})),
+            Texts{});
   EXPECT_EQ(told(scene_with({{"creepage.left", creepages}, {"motion.speed", 2e4}})), Texts{})
       << "the speed is that of the frictional power";
 }
