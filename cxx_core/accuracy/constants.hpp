@@ -216,10 +216,16 @@ inline constexpr double pressure_error_on_curve = 0.02;
 inline constexpr double curve_begins = 0.5;
 
 /// Elements of a wheel's grids of normal contact together, and of its grids of creep forces, that
-/// solve.element_limit permits by default.
-/// origin: bound: measured (random_scenes, posed_scenes): 1e-3 takes 5,900 in the median, 26,000 in
-/// 99 % and 46,000 at most on 519 random wheelsets with creep forces, 3e-4 takes 16,000 and 86,000
-/// (worn and rough profiles among them). 100,000 take up to 1.2 s and 150 MB.
+/// solve.element_limit permits at most if it is not set.
+/// origin: bound: 100,000 take up to 1.2 s and 150 MB; accuracies finer than 2.6e-4 reach it.
 inline constexpr double default_element_limit = 100000.0;
+
+/// Where fewer are permitted: this over the root of the accuracy, 16,000 at 1e-2 and 51,000 at
+/// 1e-3. A scene costs in proportion to its elements: a limit far above what a usual one needs lets
+/// the worst take a hundred times as long.
+/// origin: bound: measured (bounded_scenes loaded): of 519 random wheelsets with creep forces, worn
+/// and rough profiles among them, 1e-3 takes 5,900 in the median, 26,000 in 99 % and 46,000 at
+/// most, 3e-4 takes 16,000 and 86,000.
+inline constexpr double elements_by_root = 1600.0;
 
 } // namespace wrc

@@ -199,11 +199,13 @@ std::vector<Key> accuracy_keys() {
                              "pressure relative to the maximum pressure (solver paper: of a gap); "
                              "without solve.grid it follows from the accuracy"},
                             {1e-13, 0.1}, pure, &Scene::tolerance));
-  Key limit = number_key({"solve.element_limit", "100000", "a whole number, 1000 to 67108864",
-                          "largest number of elements that an accuracy may use for all patches of "
-                          "a wheel together, and for their creep forces; if it needs more, "
-                          "elements are larger and a warning says so; solve.grid has no limit"},
-                         {1e3, 67108864.0}, pure, &Scene::element_limit);
+  Key limit = optional_key(
+      {"solve.element_limit", "\"auto\"", "\"auto\" or a whole number, 1000 to 67108864",
+       "largest number of elements that an accuracy may use for all patches of a "
+       "wheel together, and for their creep forces; auto: 16000 at 1e-2 and above, "
+       "50000 at 1e-3, at most 100000; if it needs more, elements are larger and a "
+       "warning says so; solve.grid has no limit"},
+      {1e3, 67108864.0}, pure, &Scene::element_limit, "auto");
   limit.whole = true;
   keys.push_back(limit);
   return keys;

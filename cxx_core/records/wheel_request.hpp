@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "accuracy/accuracy_of.hpp"
-#include "accuracy/constants.hpp"
+#include "accuracy/element_limit.hpp"
 #include "half_space/influence_coefficients.hpp"
 #include "patches/contact_patch.hpp"
 #include "records/module.hpp"
@@ -33,8 +33,12 @@ struct WheelOptions : PatchOptions {
   SolverChoice solver = SolverChoice::standard;
   CurvedChoice curved = CurvedChoice::no;
   /// Limit of the grids of a wheel that follow from the accuracy, together; another limit of the
-  /// same size for creep forces.
-  double element_limit = default_element_limit;
+  /// same size for creep forces. By the accuracy if not set.
+  std::optional<double> element_limit;
+
+  [[nodiscard]] double most_elements() const {
+    return element_limit.value_or(limit_by_accuracy(accuracy));
+  }
 };
 
 struct WheelRequest : WheelOptions {

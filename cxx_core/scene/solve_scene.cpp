@@ -66,7 +66,7 @@ CreepRequest creep_options_of(const Scene& scene, const SceneSide& side) {
   request.model = scene.creep.value_or(CreepModel::full);
   request.friction = side.friction;
   request.accuracy = scene.accuracy;
-  request.element_limit = scene.element_limit;
+  request.element_limit = scene.most_elements();
   request.pitch_is_free = scene.motion.has_value() && scene.pitch_is_free;
   request.derivatives = scene.derivatives;
   request.slip = {scene.slip, scene.slip_surface};

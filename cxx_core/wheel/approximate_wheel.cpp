@@ -96,7 +96,7 @@ void ApproximateWheel::find_patches(double depth) {
   const auto counts = request_.grid.value_or(std::array{sampled_count, sampled_count});
   planned_ = plan_patches(rail_, equilibrium_, near_only, depth);
   set_grids(planned_, rail_, GridChoice(ElementCounts{counts[0], counts[1]}),
-            request_.element_limit);
+            request_.element_limit.value_or(default_element_limit));
   models_.clear();
   for (const Patch& patch : planned_.patches) {
     const ModelWheel& scan = scans_[patch.penetration.scan];

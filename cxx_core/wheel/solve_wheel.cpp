@@ -152,7 +152,7 @@ GridSolution WheelSolver::sample(double depth, const GridChoice& grids) {
   if (request_.curved != CurvedChoice::no && request_.gap == GapConvention::tangent) {
     set_curves(solution, pair, request_);
   }
-  const double wanted = set_grids(solution, rail_, grids, request_.element_limit);
+  const double wanted = set_grids(solution, rail_, grids, request_.most_elements());
   elements_wanted_ = std::max(elements_wanted_, wanted);
   rail_normals_.clear();
   for (Patch& patch : solution.patches) {
@@ -260,7 +260,7 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
   if (!request_.grid) {
     problem.maximum_iterations =
         std::min(problem.maximum_iterations,
-                 affordable_iterations(element_count(solution), request_.element_limit));
+                 affordable_iterations(element_count(solution), request_.most_elements()));
   }
   problem.elements = request_.elements;
   problem.interaction = solution.interaction ? &*solution.interaction : nullptr;
@@ -357,7 +357,7 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
     // Forces are kept: with a second grid they would not be continuous functions of the scene. The
     // limit of elements must not be exceeded.
     if (error_.reducible() <= request_.accuracy || request_.grid || finer || of_forces ||
-        elements_wanted_ > request_.element_limit) {
+        elements_wanted_ > request_.most_elements()) {
       return solution;
     }
     grids = GridChoice(finer_elements(solution, error_, goal_));
@@ -368,9 +368,9 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
 }
 
 void WheelSolver::warn_of_limit() {
-  if (!request_.grid && elements_wanted_ > request_.element_limit) {
+  if (!request_.grid && elements_wanted_ > request_.most_elements()) {
     result_.warnings.push_back(
-        {WarningClass::element_limit, text_of_limit(elements_wanted_, request_.element_limit)});
+        {WarningClass::element_limit, text_of_limit(elements_wanted_, request_.most_elements())});
   }
 }
 
