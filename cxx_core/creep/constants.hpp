@@ -22,6 +22,10 @@ inline constexpr double cost_of_free_pitch = 3.0;
 /// 1e-1 to 1e-3, and is 2.8 to 3.1 times the error in the median from 1e-2 on.
 inline constexpr double creep_error_of_one_column = 0.85;
 
+/// Creep forces of a contact that an end of a body cuts are as accurate as its place, but no
+/// coarser than this. origin: bound: the coarsest that solve.accuracy permits.
+inline constexpr double coarsest_of_cut = 0.1;
+
 /// Fraction of the accuracy that the error of elements by that law may take.
 /// origin: measured (wrc_tradeoff --creep 1500): 99.1 % of 3023 patches or more meet accuracies
 /// from 1e-1 to 1e-3; with 0.66, for 5 % less time, 98.8 % at 1e-3.

@@ -69,7 +69,8 @@ double share_of_elements(const WheelResult& wheel, const CreepRequest& request) 
 
 CreepRequest with_elements(CreepRequest request, const WheelResult& wheel) {
   if (wheel.is_cut) {
-    request.accuracy = std::max(request.accuracy, wheel.discretisation_error.value_or(0.0));
+    request.accuracy = std::max(
+        request.accuracy, std::min(wheel.discretisation_error.value_or(0.0), coarsest_of_cut));
   }
   request.element_share = share_of_elements(wheel, request);
   return request;

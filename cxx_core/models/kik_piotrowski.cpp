@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/error.hpp"
 #include "models/elliptic_integrals.hpp"
 #include "models/hertz.hpp"
 
@@ -77,6 +78,11 @@ KikPiotrowskiContact solve_virtual_penetration(std::span<const KikPiotrowskiStri
   KikPiotrowskiContact contact;
   for (const KikPiotrowskiStrip& strip : strips) {
     contact.area += 2.0 * strip.weight * std::sqrt(strip.half_length_square);
+  }
+  if (!(contact.area > 0.0)) {
+    throw Error(ErrorCode::no_contact,
+                "solve.model = \"kik-piotrowski\": the contact is narrower than a row of the "
+                "profiles, or at their end; solve.model must be \"half-space\" here");
   }
   const double ratio =
       std::numbers::pi * greatest_half_length * greatest_half_length / contact.area;

@@ -62,6 +62,7 @@ struct KikPiotrowskiContact {
 
 /// `strips` are the nodes of a quadrature rule that bears a logarithmic singularity at y = 0, where
 /// no node may lie. `greatest_half_length`: over all y, nodes or not. Approach and half length > 0.
+/// Throws no_contact where the strips have no area.
 KikPiotrowskiContact solve_virtual_penetration(std::span<const KikPiotrowskiStrip> strips,
                                                double greatest_half_length, double combined_modulus,
                                                double approach);

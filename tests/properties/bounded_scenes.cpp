@@ -64,11 +64,20 @@ double size_of(const wrcontact::Scene& scene, const std::string& field) {
              : 0.0;
 }
 
+/// The limit that is set, or that of the accuracy (docs/accuracy.md).
+double limit_of(const wrcontact::Scene& scene) {
+  const double of_accuracy = 1600.0 / std::sqrt(std::min(scene.get_number("solve.accuracy"), 1e-2));
+  double limit = 0.0;
+  return wrc_scene_get_number(scene.handle(), limit_key, &limit) == WRC_OK
+             ? limit
+             : std::min(of_accuracy, 1e5);
+}
+
 /// Elements of the patches of a wheel, or of their parts; those of a patch with parts only show
 /// them.
 void check_elements(const wrcontact::Scene& scene, const DrawnScene& drawn, const std::string& side,
                     Told& told) {
-  const double limit = scene.get_number(limit_key);
+  const double limit = limit_of(scene);
   double normal = 0.0;
   double creep = 0.0;
   const auto add = [&](const std::string& patch) {
@@ -147,6 +156,9 @@ Told solve(const DrawnScene& drawn) {
     if (status != WRC_OK && status != WRC_NOT_CONVERGED && status != WRC_NO_CONTACT &&
         status != WRC_INVALID_ARGUMENT) {
       copy_text(std::string(told.status.data()), told.wrong);
+    }
+    if (status == WRC_INVALID_ARGUMENT && text.find('.') > text.find(" = ")) {
+      copy_text("names no key: " + text, told.wrong);
     }
     if (status == WRC_OK || status == WRC_NOT_CONVERGED) {
       const std::string solved = scene.get_text("solve.side");

@@ -82,6 +82,8 @@ TEST(CreepElements, OfACutContactAreNoFinerThanItsPlace) {
   EXPECT_EQ(with_elements(request, wheel).accuracy, 0.1);
   EXPECT_LT(wanted_by(wheel.patches[0], with_elements(request, wheel)),
             0.1 * wanted_by(wheel.patches[0], request));
+  wheel.discretisation_error = 3.0; // once a tolerance that no iteration takes
+  EXPECT_EQ(with_elements(request, wheel).accuracy, coarsest_of_cut);
   wheel.discretisation_error = 1e-4;
   EXPECT_EQ(with_elements(request, wheel).accuracy, 1e-3);
 }

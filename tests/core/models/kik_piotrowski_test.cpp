@@ -8,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.hpp"
 #include "models/hertz.hpp"
+#include "support/errors.hpp"
 
 namespace wrc::test::kik_piotrowski_test {
 namespace {
@@ -113,6 +115,16 @@ TEST(KikPiotrowski, StripsBesideTheContactPointMeetAPlainSum) {
   // The two ways to integrate a strip meet where the centre moves to 0.
   const double straight = solve_ellipse(a, 4.0 * a, approach).peak_pressure;
   EXPECT_NEAR(solve_ellipse(a, 4.0 * a, approach, 1e-9).peak_pressure / straight, 1.0, 1e-4);
+}
+
+/// At the end of a profile: once "curvature_ratio = inf".
+TEST(KikPiotrowski, SaysThatAContactHasNoWidth) {
+  for (const std::vector<KikPiotrowskiStrip>& strips :
+       {std::vector<KikPiotrowskiStrip>{}, {{0.01, 0.02, 0.0, 0.0}}}) {
+    expect_error(
+        ErrorCode::no_contact, [&] { (void)solve_virtual_penetration(strips, 2.0, modulus, 0.01); },
+        "kik-piotrowski", "narrower than a row", "half-space");
+  }
 }
 
 } // namespace
