@@ -119,7 +119,8 @@ std::vector<PatchElements> final_elements(std::span<const ExpectedContact> conta
     }
     const double accuracy =
         goal.accuracy / (goal.elements == Elements::constant ? constant_elements_error : 1.0);
-    const double growth = std::pow(scale.along / scale.across, columns_by_sides_exponent);
+    const double growth =
+        std::max(std::pow(scale.along / scale.across, columns_by_sides_exponent), contact.bend);
     elements.push_back(
         {contact.mean_x, contact.mean_y,
          size_in(contact.width, scale.across,
@@ -143,8 +144,7 @@ ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& g
       const ContactScale scale = contact_scale(of_rows, patch.grid.lateral_step);
       const double rows = std::min(scale.across / patch.grid.lateral_step,
                                    scale.along / (columns_by_rows * patch.grid.longitudinal_step));
-      const double of_patch =
-          std::max(error_of(rows, goal), bent_error * patch.bend * goal.of_contact());
+      const double of_patch = std::max(error_of(rows, goal), least_error * goal.of_contact());
       error.elements = std::max(error.elements, of_patch);
       const double of_edges = error_of_place(of_rows, rows);
       error.edges = std::max(error.edges, of_edges);

@@ -89,7 +89,7 @@ double error_of_bend(const PatchResult& patch, const SmoothPressure& pressure) {
     return 0.0;
   }
   const PressureRegion& contact = patch.contact;
-  return patch.bend *
+  return error_by_moved_load * patch.bend *
          moved_load(patch.grid, patch.pressure, pressure, contact.centroid_longitudinal,
                     std::sqrt(contact.semi_axis_longitudinal * contact.semi_axis_lateral));
 }
@@ -286,7 +286,7 @@ CreepForces CreepProblem::take(RollingSolution solution, CreepResult& creep) con
   take_facts(solution, creep);
   creep.error_estimate =
       std::hypot(error_of_elements_ + creep_error_by_residual * solution.residual,
-                 task_.patch.plane_force_error);
+                 creep_error_of_plane * task_.patch.plane_force_error);
   if (task_.motion.twist) {
     take_in_slip(task_, rows_, slip_, solution, creep);
   }
