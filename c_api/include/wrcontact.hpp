@@ -404,8 +404,6 @@ public:
   /// False if the iteration has not converged; failures are those of the scene.
   bool solve(Scene& scene) { return scene.converged(wrc_solver_solve(handle(), scene.handle())); }
   void clear() { check(wrc_solver_clear(handle())); }
-  /// Old name of clear.
-  void forget() { clear(); }
   /// A step of a wheelset; false if the iteration has not converged. `rails`: as in the scene if
   /// null. Since 0.3.
   bool step(Scene& scene, const std::array<double, 6>& position,

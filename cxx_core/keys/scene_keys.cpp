@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest_names.hpp"
-#include "keys/removed_keys.hpp"
+#include "keys/removed_names.hpp"
 #include "keys/scene_key_table.hpp"
 
 namespace wrc {
@@ -43,15 +43,15 @@ std::vector<std::string> names_of_keys() {
 }
 
 /// Also as Python writes it: with _ for each point, and without the first groups.
-const RemovedKey* removed_key(std::string_view name) {
+const RemovedName* removed_key(std::string_view name) {
   const auto letter = [](char c) { return c == '.' ? '_' : c; };
-  const auto* const found = std::ranges::find_if(removed_keys, [&](const RemovedKey& removed) {
+  const auto* const found = std::ranges::find_if(removed_names, [&](const RemovedName& removed) {
     const std::string_view old = removed.name;
-    return name.size() <= old.size() &&
+    return removed.kind == NameOf::key && name.size() <= old.size() &&
            (name.size() == old.size() || old[old.size() - name.size() - 1] == '.') &&
            std::ranges::equal(old.substr(old.size() - name.size()), name, {}, letter, letter);
   });
-  return found == removed_keys.end() ? nullptr : found;
+  return found == removed_names.end() ? nullptr : found;
 }
 
 const Key& find_key(std::string_view name) {
@@ -60,7 +60,7 @@ const Key& find_key(std::string_view name) {
   if (found != keys().end()) {
     return *found;
   }
-  if (const RemovedKey* removed = removed_key(name)) {
+  if (const RemovedName* removed = removed_key(name)) {
     throw Error(ErrorCode::unknown_name, std::string(removed->name) + " is not a key any more: " +
                                              std::string(removed->successor));
   }

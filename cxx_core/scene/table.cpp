@@ -34,6 +34,9 @@ TableGrid::TableGrid(const Scene& scene, std::string_view keys, const double* va
   for (const std::string& name : words_of(results)) {
     const auto id = number_id(name);
     if (!id) {
+      if (const auto removed = removed_number(name)) {
+        throw Error(ErrorCode::unknown_name, "results: " + *removed);
+      }
       throw Error(ErrorCode::unknown_name,
                   "results: there is no result \"" + name +
                       "\"; nearest: " + nearest_names(name, possible_number_names()));

@@ -14,7 +14,7 @@ namespace {
 constexpr std::array field_names{"x",         "y",        "z",           "undeformed_distance",
                                  "row_scale", "pressure", "displacement"};
 
-/// Entries of lists as entry 0; old names such as grid.1, with nothing after the number, stay.
+/// Entries of lists as entry 0.
 std::string with_first_entry(const std::string& name) {
   std::string out;
   for (std::size_t i = 0; i < name.size(); ++i) {
@@ -134,28 +134,18 @@ std::vector<std::string> all_results() {
 
 namespace {
 
-/// The name under which a result is listed now, if this is an old one.
-std::string name_now(const std::string& name, const std::vector<std::string>& known) {
-  Scene scene;
-  const auto id_of = [&scene](const std::string& of) {
-    std::int32_t id = -1;
-    return wrc_scene_number_id(scene.handle(), of.c_str(), &id) == WRC_OK ? id : -1;
-  };
-  const std::int32_t id = id_of(name);
-  const auto same = std::find_if(known.begin(), known.end(), [&](const std::string& other) {
-    return id >= 0 && id_of(other) == id;
-  });
-  return same != known.end() ? *same : name;
-}
-
-/// "; nearest: left.pmax", as the library says of a name that it does not know; else nothing.
-std::string nearest_results(const std::string& name) {
+/// What the library says of a name that it does not know: its successor or "nearest: left.pmax";
+/// else nothing.
+std::string hint_for(const std::string& name) {
   try {
     (void)Scene().number_id(name);
   } catch (const wrcontact::Error& error) {
     const std::string text = error.what();
-    const std::size_t nearest = text.rfind("; nearest: ");
-    return nearest == std::string::npos ? "" : text.substr(nearest);
+    for (const char* hint : {"use ", "nearest: "}) {
+      if (const std::size_t at = text.rfind(hint); at != std::string::npos) {
+        return "; " + text.substr(at);
+      }
+    }
   }
   return "";
 }
@@ -169,9 +159,8 @@ void check_results(const std::vector<std::string>& names) {
     return std::find(known.begin(), known.end(), name) != known.end();
   };
   for (const std::string& name : names) {
-    const std::string first = with_first_entry(name);
-    if (!is_known(first) && !is_known(name_now(first, known))) {
-      throw Failure("study.results: \"" + name + "\" is unknown" + nearest_results(name) +
+    if (!is_known(with_first_entry(name))) {
+      throw Failure("study.results: \"" + name + "\" is unknown" + hint_for(name) +
                     "; must be a name that wrc_sweep --list-results prints");
     }
   }
