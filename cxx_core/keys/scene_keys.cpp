@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/lower_case.hpp"
 #include "base/nearest_names.hpp"
 #include "keys/removed_names.hpp"
 #include "keys/scene_key_table.hpp"
@@ -55,12 +56,16 @@ const RemovedName* removed_key(std::string_view name) {
 }
 
 const Key& find_key(std::string_view name) {
-  const auto found =
-      std::ranges::find(keys(), name, [](const Key& key) { return key.description.name; });
-  if (found != keys().end()) {
-    return *found;
+  const auto find = [](std::string_view spelled) {
+    return std::ranges::find(keys(), spelled, [](const Key& key) { return key.description.name; });
+  };
+  const std::string spelled = lower_case(name); // as all keys are
+  for (const std::string_view either : {name, std::string_view(spelled)}) {
+    if (const auto found = find(either); found != keys().end()) {
+      return *found;
+    }
   }
-  if (const RemovedName* removed = removed_key(name)) {
+  if (const RemovedName* removed = removed_key(spelled)) {
     throw Error(ErrorCode::unknown_name, std::string(removed->name) + " is not a key any more: " +
                                              std::string(removed->successor));
   }

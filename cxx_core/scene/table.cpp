@@ -56,7 +56,7 @@ TableGrid::TableGrid(const Scene& scene, std::string_view keys, const double* va
                              "must be at least 1, with at most 2^28 numbers in all");
     }
     if (std::any_of(axes_.begin(), axes_.end(),
-                    [&key](const Axis& axis) { return axis.key == key; })) {
+                    [id = key_id(key)](const Axis& axis) { return key_id(axis.key) == id; })) {
       throw Error(ErrorCode::invalid_argument,
                   "keys: \"" + key + "\" occurs twice; each key is allowed once");
     }

@@ -63,15 +63,16 @@ def key_of(word: str) -> str:
     It is the key with `_` for each point, `track_rail` for "track.rail". Groups may be left out from
     the left: `rail`. Of several keys that end so, it is the one with fewest groups left out, and of
     those the one of the pose (`lateral` is "pose.lateral"); otherwise the keyword is refused. What
-    is no keyword of a key goes to the library as it is. UnknownName.
+    is no keyword of a key goes to the library as it is. Case does not matter. UnknownName.
     """
-    if word in keys():
-        return word
+    lower = word.lower()
+    if lower in keys():
+        return lower
     endings: dict[int, list[str]] = {}
     for name in keys():
         parts = name.split(".")
         for left_out in range(len(parts)):
-            if "_".join(parts[left_out:]) == word:
+            if "_".join(parts[left_out:]) == lower:
                 endings.setdefault(left_out, []).append(name)
     if not endings:
         return word

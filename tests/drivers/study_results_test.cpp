@@ -50,6 +50,14 @@ TEST_F(StudyResults, RemovedResultsNameTheirSuccessors) {
       << refused.error;
 }
 
+/// A key of the command line replaces that of the file, whatever its case.
+TEST_F(StudyResults, CaseOfKeysDoesNotMatter) {
+  write("s.toml", "[POSE]\nLateral = [0.0, 1.0]\n[solve]\ngrid = [24, 20]\n[study]\nresults = "
+                  "[\"left.pmax\"]\n");
+  solve("s.toml --set 'Pose.lateral=[2, 3]' 'Load.Both=7e4'", "o");
+  EXPECT_EQ(std::stod(entry("o/s.csv", 1, "pose.lateral")), 2.0);
+}
+
 /// What carries the load in the file, and other loads on the command line.
 TEST_F(StudyResults, AssignedLoadsKeepWhatCarriesThem) {
   write("s.toml",

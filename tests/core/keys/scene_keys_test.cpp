@@ -1,5 +1,6 @@
 #include "keys/scene_keys.hpp"
 
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -52,6 +53,24 @@ TEST(SceneKeys, EveryKeyRefusesForbiddenValuesAndNamesAllowedOnes) {
     const std::array<double, 5> five{1.0, 2.0, 3.0, 4.0, 5.0}; // no list has as many
     error_text([&] { set_numbers(scene, key.name, five); }, ErrorCode::invalid_argument);
   }
+}
+
+TEST(SceneKeys, CaseDoesNotMatter) {
+  for (const KeyDescription& key : scene_keys()) {
+    std::string capitals(key.name);
+    for (char& c : capitals) {
+      EXPECT_FALSE(c >= 'A' && c <= 'Z') << key.name << ": names are spelled in small letters";
+      c = static_cast<char>(std::toupper(c));
+    }
+    EXPECT_EQ(key_id(capitals), key_id(key.name));
+  }
+  Scene scene;
+  set_number(scene, "Load.LEFT", 7e4);
+  EXPECT_EQ(std::get<double>(key_value(scene, "load.left")), 7e4);
+  set_text(scene, "Track.Rail", "54E3"); // values keep theirs
+  EXPECT_EQ(scene.left.rail.name, "54E3");
+  EXPECT_EQ(error_text([&] { set_number(scene, "LOAD.Vertical", 7e4); }, ErrorCode::unknown_name),
+            "load.vertical is not a key any more: use load.both");
 }
 
 TEST(SceneKeys, RangesAreStatedInTheUnitsAndFrameOfTheCaller) {
