@@ -153,6 +153,7 @@ module wrcontact
     procedure :: key_id => scene_key_id
     procedure :: number_id => scene_number_id
     procedure :: number_unit => scene_number_unit
+    procedure :: key_unit => scene_key_unit
     !> patches(patches, patch_count): all contact patches; see wrc_scene_patches in wrcontact.h.
     procedure :: patches => scene_patches
     !> tabulate(keys, values, counts, results, table, threads, path): results over all combinations

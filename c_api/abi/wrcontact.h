@@ -173,6 +173,11 @@ WRC_API wrc_status wrc_scene_numbers_by_id(wrc_scene* scene, const int32_t* ids,
  * Since 0.3.
  */
 WRC_API wrc_status wrc_scene_number_unit(wrc_scene* scene, const char* name, const char** unit);
+/**
+ * Likewise the unit of the number that a key holds: "N", "mm/s", "1"; "" if it holds a text or a
+ * list. WRC_UNKNOWN_NAME. Since 0.4.
+ */
+WRC_API wrc_status wrc_scene_key_unit(wrc_scene* scene, const char* key, const char** unit);
 /** A text result by name: "model", "units", "left.stop_reason", "left.warnings.0". Since 0.1. */
 WRC_API wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value);
 /**

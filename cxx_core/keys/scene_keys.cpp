@@ -198,6 +198,11 @@ void set_number(Scene& scene, std::string_view name, double value) {
   set_checked_number(scene, key, checked_number(key, scene.convention, value));
 }
 
+std::string key_unit(std::string_view name, Units units) {
+  const Key& key = find_key(name);
+  return key.set_number ? unit_in(units, key.dimension.unit) : "";
+}
+
 std::int32_t key_id(std::string_view name) {
   return static_cast<std::int32_t>(&find_key(name) - keys().data());
 }

@@ -11,8 +11,18 @@
 namespace driver {
 namespace {
 
-constexpr std::array field_names{"x",         "y",        "z",           "undeformed_distance",
-                                 "row_scale", "pressure", "displacement"};
+struct Field {
+  std::string_view name;
+  const char* like; ///< a result of the same unit
+};
+
+constexpr std::array fields{Field{"x", "left.patches.0.x"},
+                            Field{"y", "left.patches.0.y"},
+                            Field{"z", "left.patches.0.z"},
+                            Field{"undeformed_distance", "left.patches.0.approach"},
+                            Field{"row_scale", "left.fill"},
+                            Field{"pressure", "left.pmax"},
+                            Field{"displacement", "left.patches.0.approach"}};
 
 /// Entries of lists as entry 0.
 std::string with_first_entry(const std::string& name) {
@@ -33,41 +43,6 @@ std::string with_first_entry(const std::string& name) {
   }
   return out;
 }
-
-struct Unit {
-  std::string_view part; ///< of a name
-  const char* unit;
-};
-
-/// Units of keys and fields; the first part that a name contains decides.
-constexpr std::array units{
-    Unit{"solve.near_tolerance", "mm"},
-    Unit{"solve.joining_distance", "mm"},
-    Unit{"solve.", "1"},
-    Unit{"stress.", "1"},
-    Unit{"wear.energy_coefficient", "mm2/N"},
-    Unit{"wear.hardness", "MPa"},
-    Unit{"wear.", "1"},
-    Unit{"fatigue.shear_yield", "MPa"},
-    Unit{"friction.decay", "s/mm"},
-    Unit{"friction", "1"},
-    Unit{"creepage.spin", "1/mm"},
-    Unit{"creepage.", "1"},
-    Unit{"motion.curvature", "1/mm"},
-    Unit{"motion.torque", "N mm"},
-    Unit{"motion.roll", "rad/s"},
-    Unit{"motion.pitch", "rad/s"},
-    Unit{"motion.yaw", "rad/s"},
-    Unit{"motion.", "mm/s"},
-    Unit{"pitch", "rad"},
-    Unit{"load.", "N"},
-    Unit{"pressure", "MPa"},
-    Unit{"modulus", "MPa"},
-    Unit{"poisson", "1"},
-    Unit{"roll", "rad"},
-    Unit{"yaw", "rad"},
-    Unit{"inclination", "rad"},
-};
 
 } // namespace
 
@@ -169,10 +144,11 @@ void check_results(const std::vector<std::string>& names) {
 void check_fields(const std::vector<std::string>& names) {
   refuse_doubled("study.fields", names);
   for (const std::string& name : names) {
-    if (std::find(field_names.begin(), field_names.end(), name) == field_names.end()) {
+    const auto has_name = [&name](const Field& field) { return field.name == name; };
+    if (std::none_of(fields.begin(), fields.end(), has_name)) {
       std::string allowed;
-      for (const char* field : field_names) {
-        allowed += (allowed.empty() ? "" : ", ") + std::string(field);
+      for (const Field& field : fields) {
+        allowed += (allowed.empty() ? "" : ", ") + std::string(field.name);
       }
       throw Failure("study.fields: \"" + name + "\" is unknown; must be one of " + allowed);
     }
@@ -184,18 +160,13 @@ double result_of(const Scene& scene, const std::string& name) {
 }
 
 std::string unit_of(const Scene& scene, const std::string& name) {
-  const auto* found = std::find_if(units.begin(), units.end(), [&name](const Unit& unit) {
-    return name.find(unit.part) != std::string::npos;
-  });
-  std::string unit = found == units.end() ? "mm" : found->unit;
-  if (scene.get_text("convention.units") == "SI") { // without the prefixes
-    for (const char* prefixed : {"mm", "MPa"}) {
-      if (const std::size_t at = unit.find(prefixed); at != std::string::npos) {
-        unit.erase(at, 1);
-      }
+  for (const Field& field : fields) {
+    if (field.name == name) {
+      return scene.number_unit(field.like);
     }
   }
-  return unit;
+  const std::string unit = scene.key_unit(name);
+  return unit.empty() ? "1" : unit;
 }
 
 std::string long_name_of(const std::string& name) {

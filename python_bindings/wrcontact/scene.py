@@ -31,26 +31,18 @@ class Key(NamedTuple):
     default: str
     allowed: str
     meaning: str
-
-    @property
-    def unit(self) -> str:
-        """Of a key that holds one number, in mm, N, MPa, rad: "mm", "N mm", or "1" of a pure number.
-
-        Empty for texts and lists.
-        """
-        if self.allowed.startswith("["):
-            return ""
-        found = re.search(r"(?:\d|\)) to [-\de.]+(?: ([^\s,]+(?: mm\)?)?))?(?:,|$)", self.allowed)
-        return (found[1] or "1") if found else ""
+    unit: str  #: of the number that it holds, in mm, N, MPa, rad: "N mm", or "1"; empty for texts and lists
 
 
 @lru_cache(maxsize=None)
 def keys() -> Mapping[str, Key]:
     """All keys of a scene by name, in the order of a scene file; the list is the library's."""
     found = {}
-    texts = ffi.new("const char *[4]")
+    scene = Scene()
+    texts = ffi.new("const char *[5]")
     for index in range(lib.wrc_scene_key_count()):
         lib.wrc_scene_key(index, texts, texts + 1, texts + 2, texts + 3)
+        scene._check(lib.wrc_scene_key_unit(scene._handle, texts[0], texts + 4))
         key = Key(*(string(text) for text in texts))
         found[key.name] = key
     return found

@@ -142,7 +142,8 @@ wrc_status call_by_id() {
   case 2:
     return wrc_scene_set_numbers_by_id(scene, any_ids(), any_array(), any_count());
   case 3:
-    return wrc_scene_number_unit(scene, any_text(), maybe(&unit));
+    return below(2) == 0 ? wrc_scene_number_unit(scene, any_text(), maybe(&unit))
+                         : wrc_scene_key_unit(scene, any_text(), maybe(&unit));
   default:
     return wrc_scene_numbers_by_id(scene, any_ids(), any_array(), any_count());
   }

@@ -73,6 +73,32 @@ TEST(SceneKeys, CaseDoesNotMatter) {
             "load.vertical is not a key any more: use load.both");
 }
 
+/// A range is stated with the unit: "600 to 1700 mm".
+TEST(SceneKeys, UnitsAreThoseOfTheirRanges) {
+  for (const KeyDescription& key : scene_keys()) {
+    const std::string unit = key_unit(key.name, Units::mm);
+    const std::string allowed(key.allowed);
+    const bool is_list = allowed.starts_with('[');
+    const auto pure = [&] { // a number ends the range, or a comma
+      const std::size_t at = allowed.find(" to ");
+      const std::size_t end = allowed.find_first_of(" ,", at + 4);
+      return at != std::string::npos && (end == std::string::npos || allowed[end] == ',');
+    };
+    if (is_list || allowed.find(" to ") == std::string::npos) {
+      EXPECT_EQ(unit, "") << key.name;
+    } else if (key.name == "wear.energy_coefficient") { // spelled out there
+      EXPECT_EQ(unit, "mm2/N");
+    } else if (unit == "1") {
+      EXPECT_TRUE(pure()) << key.name << ": " << allowed;
+    } else {
+      EXPECT_NE(allowed.find(' ' + unit), std::string::npos) << key.name << ": " << unit;
+      EXPECT_FALSE(pure()) << key.name << ": " << allowed;
+    }
+  }
+  EXPECT_EQ(key_unit("motion.speed", Units::si), "m/s");
+  EXPECT_EQ(key_unit("material.wheel.youngs_modulus", Units::si), "Pa");
+}
+
 TEST(SceneKeys, RangesAreStatedInTheUnitsAndFrameOfTheCaller) {
   struct Refused {
     const char* key;
