@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "handles.hpp"
+#include "keys/scene_keys.hpp"
 
 namespace {
 
@@ -102,6 +103,16 @@ wrc_status wrc_scene_number_unit(wrc_scene* scene, const char* name, const char*
       throw_unknown_result(object, name);
     }
     object.unit = wrc::number_unit(*found, object.scene.convention.units);
+    *unit = object.unit.c_str();
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_scene_key_unit(wrc_scene* scene, const char* key, const char** unit) {
+  return wrc::guard(scene, [&](wrc::SceneObject& object) {
+    wrc::require_pointer(key, "key");
+    wrc::require_pointer(unit, "unit");
+    object.unit = wrc::key_unit(key, object.scene.convention.units);
     *unit = object.unit.c_str();
     return WRC_OK;
   });

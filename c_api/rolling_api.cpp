@@ -6,6 +6,7 @@
 
 #include "grid_contact.hpp"
 #include "half_space/material.hpp"
+#include "keys/removed_names.hpp"
 #include "rolling/fastsim.hpp"
 
 namespace {
@@ -85,19 +86,6 @@ constexpr auto rolling_numbers = std::to_array<RollingNumber>({
     {"residual", [](const RollingSolution& solution) { return solution.residual; }},
     {"converged", [](const RollingSolution& solution) { return solution.converged ? 1.0 : 0.0; }},
 });
-
-/// A name that programs of earlier versions use, for the one of now; no list shows it.
-std::string name_now(const char* name) {
-  constexpr auto old_names =
-      std::to_array<std::array<const char*, 2>>({{"longitudinal_force", "creep_force.longitudinal"},
-                                                 {"lateral_force", "creep_force.lateral"}});
-  for (const auto& [old, now] : old_names) {
-    if (std::string_view(old) == name) {
-      return now;
-    }
-  }
-  return name;
-}
 
 struct RollingField {
   const char* name;
@@ -259,7 +247,10 @@ wrc_status wrc_rolling_number(wrc_rolling* rolling, const char* name, double* va
   return wrc::with_result(rolling, [&](RollingObject&, const RollingSolution& solution) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
-    const auto& number = wrc::entry_in(rolling_numbers, "number", rolling_contact, name_now(name));
+    if (const auto removed = wrc::removed_result(wrc::NameOf::rolling_result, "", name)) {
+      throw wrc::Error(wrc::ErrorCode::unknown_name, *removed);
+    }
+    const auto& number = wrc::entry_in(rolling_numbers, "number", rolling_contact, name);
     *value = number.of(solution) + 0.0; // without zeros of negative sign
     return WRC_OK;
   });

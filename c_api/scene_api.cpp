@@ -63,6 +63,9 @@ std::string unknown_result(wrc::SceneObject& scene, const std::string& name) {
   if (wrc::number_id(name)) {
     return scene.error + known_but_absent + "number";
   }
+  if (auto removed = wrc::removed_number(name)) {
+    return *std::move(removed);
+  }
   std::vector<std::string> names = wrc::possible_number_names();
   if (scene.result) {
     for (auto& [text, value] : wrc::text_values(*scene.result)) {
@@ -100,7 +103,7 @@ void complete_error(wrc::SceneObject& scene) {
 
 extern "C" {
 
-wrc_status wrc_scene_create(wrc_scene** scene) {
+wrc_status wrc_scene_create_0_4(wrc_scene** scene) {
   return wrc::create(scene);
 }
 

@@ -133,7 +133,7 @@ module wrcontact
     type(shared_handle), pointer :: shared => null()
   contains
     !> A scene with the defaults of the paper's Table 1; an earlier one is released.
-    procedure :: create => scene_create
+    procedure :: create => scene_create_0_4 ! as the symbol in wrcontact.h
     !> set(key, value): a real(real64), an integer, a character, a rank-1 array of numbers, or a profile.
     generic :: set => set_number, set_integer, set_text, set_numbers, set_integers, set_profile
     procedure :: set_profile => scene_set_profile
@@ -153,6 +153,7 @@ module wrcontact
     procedure :: key_id => scene_key_id
     procedure :: number_id => scene_number_id
     procedure :: number_unit => scene_number_unit
+    procedure :: key_unit => scene_key_unit
     !> patches(patches, patch_count): all contact patches; see wrc_scene_patches in wrcontact.h.
     procedure :: patches => scene_patches
     !> tabulate(keys, values, counts, results, table, threads, path): results over all combinations
@@ -359,7 +360,7 @@ contains
     allocate (fresh, stat=allocation)
     if (allocation == 0) then
       select case (kind)
-      case (scene_kind); status = wrc_scene_create(fresh%handle)
+      case (scene_kind); status = wrc_scene_create_0_4(fresh%handle)
       case (solver_kind); status = wrc_solver_create(fresh%handle)
       case (profile_kind); status = wrc_profile_create(fresh%handle)
       case (normal_kind); status = wrc_normal_create(fresh%handle)

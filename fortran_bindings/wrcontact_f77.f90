@@ -48,8 +48,6 @@
 !   WRCSTP(SOLVER, SCENE, IERR)            a vehicle step: solves the
 !                                          scene with kept data
 !   WRCCLR(SOLVER, IERR)                   drops the kept data
-!   WRCFOR(SOLVER, MODE, IERR)             of earlier versions: with MODE
-!                                          0 nothing, else WRCCLR
 !
 !   Vehicle simulations (wrc_solver_step and the calls below it in
 !   wrcontact.h):

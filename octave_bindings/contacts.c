@@ -133,8 +133,6 @@ void rolling(int result_count, mxArray** result, int count, const mxArray* const
                                         "convolutions",
                                         "residual",
                                         "converged",
-                                        "longitudinal_force", /* old names of the creep force */
-                                        "lateral_force",
                                         NULL};
   static const char* const fields[] = {"traction_x", "traction_y", "slip_x", "slip_y", NULL};
   (void)result_count;

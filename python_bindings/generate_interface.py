@@ -14,11 +14,11 @@ import cffi
 
 
 def declarations_of(text: str) -> str:
-    """A header without comments, conditions, linkage and macros, but for those that are integers."""
+    """A header without comments, conditions, linkage, removed functions and macros but integers."""
     text = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
     constants = re.findall(r"^#define (WRC_\w+) (\d+)\s*$", text, flags=re.M)
     lines = [line for line in text.splitlines() if not line.startswith("#")]
-    body = re.sub(r"\bWRC_API\b", "", "\n".join(lines))
+    body = re.sub(r"\bWRC_API\b|\bWRC_REMOVED[^;]*;", "", "\n".join(lines))
     body = re.sub(r'^extern "C" \{$|^\}$', "", body, flags=re.M)
     return "".join(f"#define {name} {value}\n" for name, value in constants) + body
 

@@ -8,6 +8,7 @@ Usage: scripts/check_docs.py [--update]
  * the tables between <!-- f77 --> or <!-- module --> and <!-- end --> in docs/fortran-calls.md hold every
    subroutine and procedure with its arguments (--update rewrites them; what they do is kept);
  * docs/build.md holds every build option with its default, and every preset;
+ * CHANGELOG.md has every removed name of cxx_core/keys/removed_names.hpp;
  * the rooms of docs/architecture.md include what scripts/check_layers.sh lets them; what it and
    docs/extending.md say to stand in a file stands there, and members are those of their struct.
 """
@@ -108,6 +109,13 @@ def check_places(name_of_page):
             rf"^struct {base}\b[^;]*?\{{\n(.*?)^\}};", text, re.M | re.S)]
         if not any(re.search(rf"\b{member}\b", body) for body in bodies):
             fail(name_of_page, f"{struct} has no {member}")
+
+
+def check_removed_names():
+    removed = text_of("CHANGELOG.md").partition("### Removed")[2].partition("\n### ")[0]
+    for name in re.findall(r'RemovedName\{NameOf::\w+, "([^"]+)"', text_of("cxx_core/keys/removed_names.hpp")):
+        if f"`{name}`" not in removed:
+            fail("CHANGELOG.md", f'"Removed" does not have {name}')
 
 
 def check_build_options():
@@ -334,6 +342,7 @@ def main():
     check_places("docs/architecture.md")
     check_places("docs/extending.md")
     check_build_options()
+    check_removed_names()
     print("\n".join(failures), end="\n" if failures else "")
     return 1 if failures else 0
 

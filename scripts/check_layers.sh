@@ -60,7 +60,7 @@ check octave_bindings 'wrc_mex\.h'
 # Evidence about the core sees the core, and draws its cases as the tests of the core do.
 check drivers/evidence/core 'arguments\.hpp|base/|profile/|measured/|damage/|mechanics/|rolling/|results/|derivatives/|scene/|core/|reports/conicity\.hpp|support/(conformal_disc|energy_pairs|no_slip_samples|patch_problem|random_wheels|state_differences)\.hpp'
 check 'drivers :!drivers/evidence/core' 'reports/|support/|wrc_[a-z]+/|benchmark_commit\.hpp|wrcontact\.h'
-check tests/c_api 'extent\.hpp|call_arguments\.hpp|call_sequences\.hpp|all_results\.hpp|old_functions\.hpp|owned_handles\.hpp|failing_allocator\.hpp|host_transform\.hpp|wrcontact\.h'
+check tests/c_api 'extent\.hpp|call_arguments\.hpp|call_sequences\.hpp|all_results\.hpp|owned_handles\.hpp|failing_allocator\.hpp|host_transform\.hpp|wrcontact\.h'
 check tests/fuzz 'base/error\.hpp|measured/(readers|slices)\.hpp|call_sequences\.hpp|support/|wrcontact\.h'
 check tests/properties '(draw|drawn_scene|outcome|rolling_scene|varying_scene|scene_properties|smoothness|steps)\.hpp|support/(parallel|random_scenes)\.hpp|wrcontact\.h'
 check tests/instruction_sets 'wrcontact\.h'

@@ -6,7 +6,8 @@
 # Usage: scripts/compare_bits.sh OLD_BUILD NEW_BUILD [COUNT [SEED]]
 # The builds are folders such as build/release; COUNT scenes of each of five kinds (200), by SEED (71).
 # The program of the new build draws the scenes and is run with either library. A library that was built
-# before this program existed will do, as long as it has the functions of the C interface. The checksums
+# before this program existed will do, as long as it has the functions of the C interface. A library of
+# another version refuses that program: then the old build's own one runs with it. The checksums
 # of an OLD_BUILD are kept in OLD_BUILD/scene_bits, so that they are computed once for each library and
 # program.
 set -euo pipefail
@@ -20,12 +21,16 @@ kinds=(drawn loaded posed curved varying)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 program=$new/bin/scene_bits
-key=$(cat "$old/lib/libwrcontact.so" "$program" | sha256sum | cut -c1-16)
+old_program=$program
+if [ "$(objdump -p "$old/lib/libwrcontact.so" | grep SONAME)" != "$(objdump -p "$new/lib/libwrcontact.so" | grep SONAME)" ]; then
+  old_program=$old/bin/scene_bits
+fi
+key=$(cat "$old/lib/libwrcontact.so" "$old_program" | sha256sum | cut -c1-16)
 mkdir -p "$old/scene_bits"
 
-# bits BUILD KIND FILE: the checksums of one kind; fails unless there is one for each scene.
+# bits BUILD KIND FILE PROGRAM: the checksums of one kind; fails unless there is one for each scene.
 bits() {
-  local build=$1 kind=$2 file=$3 folder status=0 lines
+  local build=$1 kind=$2 file=$3 program=$4 folder status=0 lines
   folder=$(mktemp -d -p "$work")
   (cd "$folder" && LD_LIBRARY_PATH=$build/lib "$program" "$kind" "$count" "$seed") >"$folder.bits" ||
     status=$?
@@ -39,9 +44,9 @@ bits() {
 failures=0
 for kind in "${kinds[@]}"; do
   kept=$old/scene_bits/$kind-$count-$seed-$key
-  [ -s "$kept" ] || bits "$old" "$kind" "$kept" &
+  [ -s "$kept" ] || bits "$old" "$kind" "$kept" "$old_program" &
   old_job=$!
-  bits "$new" "$kind" "$work/$kind" &
+  bits "$new" "$kind" "$work/$kind" "$program" &
   new_job=$!
   ended=yes
   wait "$old_job" || ended=no

@@ -34,7 +34,7 @@ others = {
     "cxx_core/scene/damage_tables.hpp",
     "cxx_core/keys/load_keys.cpp",  # permitted ranges
     "cxx_core/scene/number_tables.hpp",
-    "cxx_core/scene/old_names.hpp",
+    "cxx_core/keys/removed_names.hpp",
     "cxx_core/scene/patch_summary.cpp",
     "cxx_core/scene/patch_summary.hpp",
     "cxx_core/scene/rate_tables.hpp",

@@ -34,7 +34,7 @@ yaw = 0.004
 [solve]
 accuracy_of = "forces"
 [study]
-results = ["left.lateral_force", "right.vertical_force", "left.moment.x", "left.depth", "roll", "left.pmax", "left.sensitivities.vertical_force.vertical", "right.residuals.complementarity"]
+results = ["left.lateral_force", "right.vertical_force", "left.pressure_moment.x", "left.depth", "roll", "left.pmax", "left.sensitivities.pressure_force.z.vertical", "right.residuals.complementarity"]
 TOML
 "$bin/wrc_sweep" run.toml --quiet --no-pictures
 cat run.csv >>scenes.txt

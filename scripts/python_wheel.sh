@@ -22,7 +22,7 @@ WRCONTACT_BUILD_FOLDER=build/release "$python" -m pip wheel --quiet --no-index -
 tree=$house/unpacked/wrcontact-$version
 package=$tree/wrcontact
 info=$tree/wrcontact-$version.dist-info
-library=$package/libwrcontact.so.${version%%.*}
+library=$(echo "$package"/libwrcontact.so.*)
 
 # The libraries it needs, except those of the system that every Python needs itself.
 mkdir -p "$package/libraries" "$info/licenses"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Takes the interface as it is now as the one that later libraries must keep: its symbols, its types
 # and its headers, in c_api/abi. To be run when a version is released, or when a function has been
-# added; a change of an old one is a new major version. Needs the release build.
+# added; a change of an old one is a new major version, before 1.0 a new minor one. Needs the release build.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/packages.sh

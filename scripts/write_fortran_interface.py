@@ -51,7 +51,7 @@ def declarations(text):
     """Of a header: comments, directives and what only C++ sees go."""
     text = re.sub(r"/\*.*?\*/|//[^\n]*", "", text, flags=re.S).replace('extern "C" {', "").replace("\n}\n", "\n")
     text = re.sub(r"^#.*(\\\n.*)*", "", text, flags=re.M)
-    return text.replace("WRC_API", "")
+    return re.sub(r"WRC_REMOVED[^;]*;", "", text).replace("WRC_API", "")
 
 
 def c_type(node):

@@ -41,6 +41,15 @@
 #define WRC_API
 #endif
 
+/* A function that has left the interface: compilers that can refuse it name its successor. */
+#if defined(__has_attribute)
+#if __has_attribute(unavailable)
+#define WRC_REMOVED(successor) __attribute__((unavailable(successor)))
+#elif __has_attribute(error)
+#define WRC_REMOVED(successor) __attribute__((error(successor)))
+#endif
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -62,15 +71,21 @@ typedef int32_t wrc_status;
 
 /** Name of a status, for example "invalid argument"; never NULL. Since 0.1. */
 WRC_API const char* wrc_status_name(wrc_status status);
-/** Version of the library, for example "0.1.0". Since 0.1. */
+/** Version of the library, for example "0.4.0". Since 0.1. */
 WRC_API const char* wrc_version(void);
 
 /* ---- Scene: the input and its results ------------------------------------------------------ */
 
 typedef struct wrc_scene wrc_scene;
 
-/** A scene with the defaults of the paper's Table 1. On failure *scene is NULL. Since 0.1. */
-WRC_API wrc_status wrc_scene_create(wrc_scene** scene);
+/**
+ * wrc_scene_create: a scene with the defaults of the paper's Table 1. On failure *scene is NULL.
+ * The symbol names the interface, so that a program compiled with a header before 0.4, some of
+ * whose keys are gone, is refused when it is linked or loaded. Since 0.1, this symbol since 0.4.
+ */
+WRC_API wrc_status wrc_scene_create_0_4(wrc_scene** scene);
+#define wrc_scene_create wrc_scene_create_0_4
+
 /** Does nothing with NULL. Since 0.1. */
 WRC_API void wrc_scene_destroy(wrc_scene* scene);
 /** Text of the last failure, "" if there was none. Since 0.1. */
@@ -79,7 +94,7 @@ WRC_API const char* wrc_scene_error(const wrc_scene* scene);
 /**
  * Sets a key of the scene, for example "pose.lateral". wrc_scene_key lists all keys with their
  * defaults and permitted values. Keys of one subject replace each other: the last call applies
- * (load.vertical, load.left and load.total_left, material.poisson and material.wheel.poisson,
+ * (load.both and load.left, material.poisson and material.wheel.poisson,
  * solve.accuracy and solve.grid). The keys convention.units and convention.frame set the units and
  * frame of numbers passed to and returned by later calls; values set before keep their
  * meaning. The key solve.until stops after one of the three modules. WRC_UNKNOWN_NAME,
@@ -93,7 +108,7 @@ WRC_API wrc_status wrc_scene_set_numbers(wrc_scene* scene, const char* key, cons
 /**
  * The values of keys, in the scene's convention: a text if it is a word ("solve", "none"),
  * otherwise a number or a list, copied as by wrc_scene_field. WRC_INVALID_ARGUMENT if the value is
- * of another type, or if there is no single one (load.vertical with different loads on the wheels).
+ * of another type, or if there is no single one (load.both with different loads on the wheels).
  * Since 0.2.
  */
 WRC_API wrc_status wrc_scene_get_number(wrc_scene* scene, const char* key, double* value);
@@ -126,7 +141,8 @@ WRC_API wrc_status wrc_scene_write(wrc_scene* scene, const char* path);
  * Names of a wheel refer to all its patches together; patches are numbered from 0, largest normal
  * force first; "left.patch_count" is their number. Patches that share a plane count as one with
  * parts: "left.patches.0.parts.1.pmax". WRC_UNKNOWN_NAME if there is no patch of that index.
- * Since 0.1.
+ * Largest pressures and tractions are NaN where the end of a body cuts a contact: they have no
+ * bound there (docs/warnings.md, profile_end). Since 0.1.
  */
 WRC_API wrc_status wrc_scene_number(wrc_scene* scene, const char* name, double* value);
 /**
@@ -157,6 +173,11 @@ WRC_API wrc_status wrc_scene_numbers_by_id(wrc_scene* scene, const int32_t* ids,
  * Since 0.3.
  */
 WRC_API wrc_status wrc_scene_number_unit(wrc_scene* scene, const char* name, const char** unit);
+/**
+ * Likewise the unit of the number that a key holds: "N", "mm/s", "1"; "" if it holds a text or a
+ * list. WRC_UNKNOWN_NAME. Since 0.4.
+ */
+WRC_API wrc_status wrc_scene_key_unit(wrc_scene* scene, const char* key, const char** unit);
 /** A text result by name: "model", "units", "left.stop_reason", "left.warnings.0". Since 0.1. */
 WRC_API wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value);
 /**
@@ -227,6 +248,11 @@ WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int3
 #define WRC_BEYOND_YIELD 8    /**< largest pressure above material.yield_pressure */
 #define WRC_SOLVED_EXACTLY 16 /**< a table asked the exact solution */
 #define WRC_AT_PART_END 32    /**< contact that an end or side of a part that varies cuts */
+
+/** Values of the results grade, left.grade and right.grade (docs/warnings.md). Since 0.4. */
+#define WRC_FINE 0          /**< as accurate as requested; warnings are notes on the input */
+#define WRC_SLIGHTLY_OVER 1 /**< error estimate up to twice the accuracy */
+#define WRC_DO_NOT_USE 2    /**< above that, or numbers of other bodies than those meant */
 
 /**
  * Computes the forces on both wheels of a wheelset from its position and velocity. It sets the keys
@@ -356,7 +382,7 @@ WRC_API wrc_status wrc_solver_equilibrium(wrc_solver* solver, wrc_scene* scene, 
 
 /**
  * A contact patch, in the scene's convention. Members have the names of results, with underscores
- * instead of points; the old names of 0.3 remain. Since 0.3.
+ * instead of points. Since 0.3.
  */
 typedef struct wrc_patch {
   double wheel; /**< 0: left, 1: right */
@@ -366,31 +392,21 @@ typedef struct wrc_patch {
   double normal_x; /**< from the rail to the wheel */
   double normal_y;
   double normal_z;
-  double contact_angle; /**< old name of angle */
+  double angle; /**< of the plane about x */
   double rolling_radius;
   double s_wheel; /**< position on the wheel's profile, from the taping line to the field side */
   double normal_force;             /**< of the pressures */
-  double longitudinal_creep_force; /**< old name of creep_force_longitudinal */
-  double lateral_creep_force;      /**< old name of creep_force_lateral */
-  double spin_moment;
-  double longitudinal_creepage;  /**< old name of creepage_longitudinal */
-  double lateral_creepage;       /**< old name of creepage_lateral */
-  double spin_creepage;          /**< old name of creepage_spin */
-  double longitudinal_semi_axis; /**< old name of semi_axes_longitudinal */
-  double lateral_semi_axis;      /**< old name of semi_axes_lateral */
-  double approach;
-  double largest_pressure; /**< old name of pmax */
-  double friction_power;   /**< force times length per time */
-  /* Members with the names of results; since 0.3: */
-  double pmax;
-  double semi_axes_longitudinal; /**< of the Hertzian ellipse with its second moments of pressure */
-  double semi_axes_lateral;
   double creep_force_longitudinal; /**< on the wheel */
   double creep_force_lateral;      /**< along the patch's plane */
+  double spin_moment;
   double creepage_longitudinal;
   double creepage_lateral;
   double creepage_spin;
-  double angle;              /**< of the plane about x */
+  double semi_axes_longitudinal; /**< of the Hertzian ellipse with its second moments of pressure */
+  double semi_axes_lateral;
+  double approach;
+  double pmax; /**< NaN where the end of a body cuts the patch: pressures have no bound there */
+  double friction_power;     /**< force times length per time */
   double longitudinal_force; /**< of the rail on the wheel, creep forces included, track frame */
   double lateral_force;
   double vertical_force;
@@ -431,7 +447,7 @@ WRC_API wrc_status wrc_solver_creep(wrc_solver* solver, wrc_scene* scene, int64_
  * A table of results over all combinations of values of some keys, for programs that cannot afford
  * a solution per step. The scene and its result do not change.
  *
- * keys:    names separated by blanks, each once: "pose.lateral pose.yaw load.vertical".
+ * keys:    names separated by blanks, each once: "pose.lateral pose.yaw load.both".
  * values:  those of the first key, then of the second, ...; counts is the number for each key.
  * results: names separated by blanks, "left.total.force.y left.patches.0.angle".
  * threads: 1 to 1024; the same bits for any number.
@@ -466,8 +482,8 @@ typedef struct wrc_table_options {
   double roll;    /**< likewise, 0.01 rad */
   double yaw;     /**< likewise, 0.02 rad */
   double load;    /**< largest vertical force of a wheel, 150 kN */
-  /** Error over load beyond which a step with a solver takes the exact solution; 0: only outside
-   * the table. */
+  /** Error, over load as in wrc_table_facts, beyond which a step with a solver takes the exact
+   * solution; 0: only outside the table. */
   double tolerance;
   double fineness; /**< of the nodes, 0.2 to 4; 1. Time and memory grow with its cube. */
   int64_t threads; /**< 1 to 1024; 1. The same bits for any number. */
@@ -693,6 +709,14 @@ WRC_API wrc_status wrc_set_planner_lock(void (*lock)(void* context), void (*unlo
  */
 WRC_API wrc_status wrc_load_wisdom(const char* path);
 WRC_API wrc_status wrc_save_wisdom(const char* path);
+
+#ifdef WRC_REMOVED
+WRC_REMOVED("use wrc_solver_clear")
+wrc_status wrc_solver_forget(wrc_solver* solver, int32_t profiles);
+WRC_REMOVED("time your own FFTW plans")
+wrc_status wrc_measure_transform(int64_t rows, int64_t columns, int32_t repeats, double* median_ms);
+#endif
+
 #ifdef __cplusplus
 }
 #endif

@@ -84,6 +84,8 @@ WRC_API wrc_status wrc_normal_solve(wrc_normal* normal);
  *   "pmax_element"  MPa, largest element
  *   "fill"          fraction of the elements under pressure, 0 to 1
  *   "iterations"    of all grids the solver went through
+ *   "grade"         the worst grade of the warnings, WRC_FINE to WRC_DO_NOT_USE (wrcontact.h)
+ *   "warning_count" how many texts "warnings.0", ... there are (wrc_normal_text)
  *   "residuals.load_balance", "residuals.least_gap", "residuals.complementarity"
  *                   how well the problem is solved, recomputed in double precision when first
  *                   requested: |force - load|/load (0 for a given approach), least gap without
@@ -92,7 +94,13 @@ WRC_API wrc_status wrc_normal_solve(wrc_normal* normal);
  * WRC_NO_RESULT, WRC_UNKNOWN_NAME. Since 0.1.
  */
 WRC_API wrc_status wrc_normal_number(wrc_normal* normal, const char* name, double* value);
-/** "stop_reason": "tolerance_met", "iteration_limit" or "stagnation". Since 0.1. */
+/**
+ * "stop_reason": "tolerance_met", "iteration_limit" or "stagnation". "warnings.0", "warnings.1",
+ * ...: what is doubtful of the result, and "warning_classes.0", ... the class of each, "grid_edge"
+ * of a contact that reaches the edge of the grid, "accuracy" of one on too few elements, and
+ * "warning_grades.0", ... the grade of each, "fine", "a little over" or "do not use"
+ * (docs/warnings.md). Since 0.1, warnings since 0.4. WRC_NO_RESULT, WRC_UNKNOWN_NAME.
+ */
 WRC_API wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const char** value);
 /**
  * "pressure" (MPa) or "displacement" (mm, both bodies together, computed when first requested), one
@@ -199,8 +207,7 @@ WRC_API wrc_status wrc_rolling_advance(wrc_rolling* rolling);
 
 /**
  * A scalar result by name:
- *   "creep_force.longitudinal", "creep_force.lateral"
- *                                   N; "longitudinal_force", "lateral_force" are their old names
+ *   "creep_force.longitudinal", "creep_force.lateral"  N
  *   "spin_moment"                   N mm, about the origin
  *   "slip_area", "adhesion_area"    mm^2, counted in elements
  *   "friction_power"                lost to friction, over the speed, N: -(force and moment times

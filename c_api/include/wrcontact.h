@@ -41,6 +41,15 @@
 #define WRC_API
 #endif
 
+/* A function that has left the interface: compilers that can refuse it name its successor. */
+#if defined(__has_attribute)
+#if __has_attribute(unavailable)
+#define WRC_REMOVED(successor) __attribute__((unavailable(successor)))
+#elif __has_attribute(error)
+#define WRC_REMOVED(successor) __attribute__((error(successor)))
+#endif
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -62,15 +71,21 @@ typedef int32_t wrc_status;
 
 /** Name of a status, for example "invalid argument"; never NULL. Since 0.1. */
 WRC_API const char* wrc_status_name(wrc_status status);
-/** Version of the library, for example "0.1.0". Since 0.1. */
+/** Version of the library, for example "0.4.0". Since 0.1. */
 WRC_API const char* wrc_version(void);
 
 /* ---- Scene: the input and its results ------------------------------------------------------ */
 
 typedef struct wrc_scene wrc_scene;
 
-/** A scene with the defaults of the paper's Table 1. On failure *scene is NULL. Since 0.1. */
-WRC_API wrc_status wrc_scene_create(wrc_scene** scene);
+/**
+ * wrc_scene_create: a scene with the defaults of the paper's Table 1. On failure *scene is NULL.
+ * The symbol names the interface, so that a program compiled with a header before 0.4, some of
+ * whose keys are gone, is refused when it is linked or loaded. Since 0.1, this symbol since 0.4.
+ */
+WRC_API wrc_status wrc_scene_create_0_4(wrc_scene** scene);
+#define wrc_scene_create wrc_scene_create_0_4
+
 /** Does nothing with NULL. Since 0.1. */
 WRC_API void wrc_scene_destroy(wrc_scene* scene);
 /** Text of the last failure, "" if there was none. Since 0.1. */
@@ -158,6 +173,11 @@ WRC_API wrc_status wrc_scene_numbers_by_id(wrc_scene* scene, const int32_t* ids,
  * Since 0.3.
  */
 WRC_API wrc_status wrc_scene_number_unit(wrc_scene* scene, const char* name, const char** unit);
+/**
+ * Likewise the unit of the number that a key holds: "N", "mm/s", "1"; "" if it holds a text or a
+ * list. WRC_UNKNOWN_NAME. Since 0.4.
+ */
+WRC_API wrc_status wrc_scene_key_unit(wrc_scene* scene, const char* key, const char** unit);
 /** A text result by name: "model", "units", "left.stop_reason", "left.warnings.0". Since 0.1. */
 WRC_API wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value);
 /**
@@ -229,7 +249,7 @@ WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int3
 #define WRC_SOLVED_EXACTLY 16 /**< a table asked the exact solution */
 #define WRC_AT_PART_END 32    /**< contact that an end or side of a part that varies cuts */
 
-/** Values of the results grade, left.grade and right.grade (docs/warnings.md). Since 0.3. */
+/** Values of the results grade, left.grade and right.grade (docs/warnings.md). Since 0.4. */
 #define WRC_FINE 0          /**< as accurate as requested; warnings are notes on the input */
 #define WRC_SLIGHTLY_OVER 1 /**< error estimate up to twice the accuracy */
 #define WRC_DO_NOT_USE 2    /**< above that, or numbers of other bodies than those meant */
@@ -362,7 +382,7 @@ WRC_API wrc_status wrc_solver_equilibrium(wrc_solver* solver, wrc_scene* scene, 
 
 /**
  * A contact patch, in the scene's convention. Members have the names of results, with underscores
- * instead of points; the old names of 0.3 remain. Since 0.3.
+ * instead of points. Since 0.3.
  */
 typedef struct wrc_patch {
   double wheel; /**< 0: left, 1: right */
@@ -372,31 +392,21 @@ typedef struct wrc_patch {
   double normal_x; /**< from the rail to the wheel */
   double normal_y;
   double normal_z;
-  double contact_angle; /**< old name of angle */
+  double angle; /**< of the plane about x */
   double rolling_radius;
   double s_wheel; /**< position on the wheel's profile, from the taping line to the field side */
   double normal_force;             /**< of the pressures */
-  double longitudinal_creep_force; /**< old name of creep_force_longitudinal */
-  double lateral_creep_force;      /**< old name of creep_force_lateral */
-  double spin_moment;
-  double longitudinal_creepage;  /**< old name of creepage_longitudinal */
-  double lateral_creepage;       /**< old name of creepage_lateral */
-  double spin_creepage;          /**< old name of creepage_spin */
-  double longitudinal_semi_axis; /**< old name of semi_axes_longitudinal */
-  double lateral_semi_axis;      /**< old name of semi_axes_lateral */
-  double approach;
-  double largest_pressure; /**< old name of pmax */
-  double friction_power;   /**< force times length per time */
-  /* Members with the names of results; since 0.3: */
-  double pmax; /**< NaN where the end of a body cuts the patch: pressures have no bound there */
-  double semi_axes_longitudinal; /**< of the Hertzian ellipse with its second moments of pressure */
-  double semi_axes_lateral;
   double creep_force_longitudinal; /**< on the wheel */
   double creep_force_lateral;      /**< along the patch's plane */
+  double spin_moment;
   double creepage_longitudinal;
   double creepage_lateral;
   double creepage_spin;
-  double angle;              /**< of the plane about x */
+  double semi_axes_longitudinal; /**< of the Hertzian ellipse with its second moments of pressure */
+  double semi_axes_lateral;
+  double approach;
+  double pmax; /**< NaN where the end of a body cuts the patch: pressures have no bound there */
+  double friction_power;     /**< force times length per time */
   double longitudinal_force; /**< of the rail on the wheel, creep forces included, track frame */
   double lateral_force;
   double vertical_force;
@@ -699,6 +709,14 @@ WRC_API wrc_status wrc_set_planner_lock(void (*lock)(void* context), void (*unlo
  */
 WRC_API wrc_status wrc_load_wisdom(const char* path);
 WRC_API wrc_status wrc_save_wisdom(const char* path);
+
+#ifdef WRC_REMOVED
+WRC_REMOVED("use wrc_solver_clear")
+wrc_status wrc_solver_forget(wrc_solver* solver, int32_t profiles);
+WRC_REMOVED("time your own FFTW plans")
+wrc_status wrc_measure_transform(int64_t rows, int64_t columns, int32_t repeats, double* median_ms);
+#endif
+
 #ifdef __cplusplus
 }
 #endif

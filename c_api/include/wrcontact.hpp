@@ -277,6 +277,12 @@ public:
     check(wrc_scene_number_unit(handle(), name.c_str(), &unit));
     return unit;
   }
+  /// Of a key: "mm", or "" if it holds no number. Since 0.4.
+  std::string key_unit(const std::string& key) const {
+    const char* unit = nullptr;
+    check(wrc_scene_key_unit(handle(), key.c_str(), &unit));
+    return unit;
+  }
   /// Sets all or, if one is refused, none. Ids (std::int32_t) and values (double) are a
   /// std::vector, a std::array or the like, of the same length. Since 0.3.
   template <class Ids, class Values> void set_numbers_by_id(const Ids& ids, const Values& values) {
@@ -404,8 +410,6 @@ public:
   /// False if the iteration has not converged; failures are those of the scene.
   bool solve(Scene& scene) { return scene.converged(wrc_solver_solve(handle(), scene.handle())); }
   void clear() { check(wrc_solver_clear(handle())); }
-  /// Old name of clear.
-  void forget() { clear(); }
   /// A step of a wheelset; false if the iteration has not converged. `rails`: as in the scene if
   /// null. Since 0.3.
   bool step(Scene& scene, const std::array<double, 6>& position,

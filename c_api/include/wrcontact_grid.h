@@ -99,7 +99,7 @@ WRC_API wrc_status wrc_normal_number(wrc_normal* normal, const char* name, doubl
  * ...: what is doubtful of the result, and "warning_classes.0", ... the class of each, "grid_edge"
  * of a contact that reaches the edge of the grid, "accuracy" of one on too few elements, and
  * "warning_grades.0", ... the grade of each, "fine", "a little over" or "do not use"
- * (docs/warnings.md). Since 0.1, warnings since 0.3. WRC_NO_RESULT, WRC_UNKNOWN_NAME.
+ * (docs/warnings.md). Since 0.1, warnings since 0.4. WRC_NO_RESULT, WRC_UNKNOWN_NAME.
  */
 WRC_API wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const char** value);
 /**
@@ -207,8 +207,7 @@ WRC_API wrc_status wrc_rolling_advance(wrc_rolling* rolling);
 
 /**
  * A scalar result by name:
- *   "creep_force.longitudinal", "creep_force.lateral"
- *                                   N; "longitudinal_force", "lateral_force" are their old names
+ *   "creep_force.longitudinal", "creep_force.lateral"  N
  *   "spin_moment"                   N mm, about the origin
  *   "slip_area", "adhesion_area"    mm^2, counted in elements
  *   "friction_power"                lost to friction, over the speed, N: -(force and moment times

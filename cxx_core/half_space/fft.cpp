@@ -433,38 +433,4 @@ void unlock_after_fork() {
   kept_transforms().unlock();
 }
 
-double measure_transform(std::size_t rows, std::size_t columns, int repeats) {
-  AlignedArray<double> field(rows * columns);
-  AlignedArray<std::complex<double>> spectrum(rows * (columns / 2 + 1));
-  const int height = static_cast<int>(rows);
-  const int width = static_cast<int>(columns);
-  Plan<double> forward;
-  Plan<double> backward;
-  {
-    const PlanningGuard guard(planner());
-    const OneThread one_thread;
-    require_memory(memory_of_tables + 2 * memory_of_plan + (rows + columns) * memory_per_value);
-    forward.reset(fftw_plan_dft_r2c_2d(height, width, field.data(), fftw_of(spectrum.data()),
-                                       FFTW_ESTIMATE | FFTW_PRESERVE_INPUT));
-    backward.reset(
-        fftw_plan_dft_c2r_2d(height, width, fftw_of(spectrum.data()), field.data(), FFTW_ESTIMATE));
-  }
-  if (forward == nullptr || backward == nullptr) {
-    throw_no_memory(rows, columns);
-  }
-  std::vector<double> times;
-  for (int i = 0; i <= repeats; ++i) {
-    std::fill_n(field.data(), rows * columns, 1.0); // again: a pair multiplies by the size
-    const Stopwatch watch;
-    fftw_execute(forward.get());
-    fftw_execute(backward.get());
-    if (i > 0) { // the first one touches the memory
-      times.push_back(watch.milliseconds());
-    }
-  }
-  std::sort(times.begin(), times.end());
-  const std::size_t middle = times.size() / 2;
-  return times.size() % 2 == 1 ? times[middle] : 0.5 * (times[middle - 1] + times[middle]);
-}
-
 } // namespace wrc

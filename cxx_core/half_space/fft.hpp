@@ -146,9 +146,4 @@ void prepare_transforms();
 void lock_for_fork();
 void unlock_after_fork();
 
-/// Median time in ms of a real two-dimensional transform in double precision and its inverse, over
-/// this number of repetitions, at least one: the unit in which costs are given. Throws
-/// Error(out_of_memory) if there is no memory for buffers or plans.
-double measure_transform(std::size_t rows, std::size_t columns, int repeats);
-
 } // namespace wrc

@@ -35,8 +35,8 @@ enum class Quantity : std::uint8_t {
   stiffness ///< force or angle per length
 };
 
-/// What a number is: its quantity, whether it changes its sign with the frame, and of results the
-/// unit in mm, N, MPa.
+/// What a number is: its quantity, whether it changes its sign with the frame, and the unit in mm,
+/// N, MPa.
 struct Dimension {
   Quantity quantity = Quantity::number;
   bool turns = false;
@@ -58,6 +58,9 @@ inline constexpr Dimension milliseconds{Quantity::number, false, "ms"};
 inline constexpr Dimension length{Quantity::length, false, "mm"};
 inline constexpr Dimension turning_length{Quantity::length, true, "mm"};
 inline constexpr Dimension turning_length_by_angle{Quantity::length, true, "mm/rad"};
+inline constexpr Dimension speed{Quantity::length, false, "mm/s"};
+inline constexpr Dimension turning_speed{Quantity::length, true, "mm/s"};
+inline constexpr Dimension turning_rate{Quantity::number, true, "rad/s"};
 inline constexpr Dimension surface{Quantity::area, false, "mm2"};
 inline constexpr Dimension stress{Quantity::stress, false, "MPa"};
 inline constexpr Dimension moment{Quantity::moment, false, "N mm"};

@@ -14,10 +14,10 @@ std::vector<Key> make_load_keys() {
   return {
       number_key({"load.both", "80000.0", "0 to 1e12 N",
                   "load of each wheel; load.of selects what carries it"},
-                 range, pure, left, right),
-      number_key({"load.left", "80000.0", "0 to 1e12 N", "load of the left wheel"}, range, pure,
+                 range, force, left, right),
+      number_key({"load.left", "80000.0", "0 to 1e12 N", "load of the left wheel"}, range, force,
                  left),
-      number_key({"load.right", "80000.0", "0 to 1e12 N", "load of the right wheel"}, range, pure,
+      number_key({"load.right", "80000.0", "0 to 1e12 N", "load of the right wheel"}, range, force,
                  right),
       word_key<LoadOf>(
           {"load.of", "\"pressures\"", "\"pressures\", \"total\" or \"normal\"",

@@ -253,7 +253,7 @@ std::vector<Key> make_track_keys() {
   Key inclination = number_key(
       {"track.inclination", "\"1:40\"", "\"1:n\" or \"-1:n\" with n >= 5, or -0.2 to 0.2 rad",
        "inclination of the rails towards the track centre"},
-      {-0.2, 0.2}, pure, [](auto& s) -> auto& { return s.track.inclination; });
+      {-0.2, 0.2}, angle, [](auto& s) -> auto& { return s.track.inclination; });
   inclination.set_text = [](Scene& s, std::string_view v) {
     return parse_inclination(v, s.track.inclination);
   };
@@ -355,7 +355,7 @@ std::vector<Key> make_wheelset_keys() {
       {"wheelset.profile_rotation", "\"auto\"", "\"auto\" or -0.5 to 0.5 rad",
        "rotation of wheel profiles read from a file, anticlockwise in (lateral, height) about the "
        "taping line; \"auto\": that of parallel faces, else a warning where a tilt shows; 0: none"},
-      {-0.5, 0.5}, pure, [](auto& s) -> auto& { return s.wheel_placement.rotation; }, "auto"));
+      {-0.5, 0.5}, angle, [](auto& s) -> auto& { return s.wheel_placement.rotation; }, "auto"));
   keys.push_back(align_key());
   radius("wheelset.radius", "nominal rolling radius, at the taping line", &Scene::left,
          &Scene::right);

@@ -136,7 +136,8 @@ std::vector<Key> friction_keys() {
       friction_law_key({"friction.decay", "0.0", "0 to 1 s/mm",
                         "decay of the coefficient with the slip speed w, by the factor (1 - "
                         "limit_ratio) exp(-decay w) + limit_ratio (Polach's B)"},
-                       {0.0, 1.0}, stiffness, &FrictionLaw::decay)};
+                       {0.0, 1.0}, Dimension{Quantity::stiffness, false, "s/mm"},
+                       &FrictionLaw::decay)};
 }
 
 /// Sets what a key has to "none", the only text it takes.
@@ -256,6 +257,7 @@ Key pitch_key() {
       "motion.pitch", "\"rolling\"", "-1e5 to 1e5 rad/s, \"rolling\" or \"free\"",
       "rotation rate of the axle, positive when it rolls forward; rolling: speed over nominal "
       "radius; free: the rate at which contact forces balance motion.torque"};
+  key.dimension = rate;
   key.min = -1e5;
   key.max = 1e5;
   key.get = [](const Scene& scene) {
@@ -286,7 +288,7 @@ Key vertical_key() {
       motion_key("motion.vertical", "-1e6 to 1e6 mm/s, \"follow\" or \"none\"",
                  "vertical velocity of the wheelset's centre; follow, the default: 0, or where a "
                  "rail or a wheel varies the velocity at which each wheel stays on its rail",
-                 1e6, turning_length, &Motion::vertical);
+                 1e6, turning_speed, &Motion::vertical);
   key.get = [get = key.get](const Scene& scene) {
     return scene.motion && !scene.motion->vertical_is_given ? KeyValue(std::string("follow"))
                                                             : get(scene);
@@ -348,18 +350,18 @@ std::vector<Key> make_rolling_keys() {
                  "speed along the track, negative when running backwards; if creepages are not "
                  "given, any key of motion.* computes them from the motion; otherwise the speed "
                  "affects only the frictional power",
-                 1e6, length, &Motion::speed),
+                 1e6, speed, &Motion::speed),
       pitch_key(),
       number_key({"motion.torque", "0.0", "-1e12 to 1e12 N mm",
                   "torque about the axle, positive when it drives forward; used with motion.pitch "
                   "= \"free\""},
                  {-1e12, 1e12}, moment, &Scene::torque),
       motion_key("motion.lateral", speed_range, "lateral velocity of the wheelset's centre", 1e6,
-                 turning_length, &Motion::lateral),
+                 turning_speed, &Motion::lateral),
       vertical_key(),
-      motion_key("motion.roll", rate_range, "roll rate of the wheelset", 1e3, pure, &Motion::roll),
+      motion_key("motion.roll", rate_range, "roll rate of the wheelset", 1e3, rate, &Motion::roll),
       motion_key("motion.yaw", rate_range, "yaw rate of the wheelset, relative to the track", 1e3,
-                 turning_angle, &Motion::yaw),
+                 turning_rate, &Motion::yaw),
       motion_key("motion.curvature", "-1e-3 to 1e-3 1/mm, or \"none\"",
                  "curvature of the track, positive in left-hand curves", 1e-3, turning_curvature,
                  &Motion::curvature),
@@ -368,7 +370,7 @@ std::vector<Key> make_rolling_keys() {
                   "V0: creepages are slip velocities over (V^2 + V0^2)^(1/2), so that creep forces "
                   "go to 0 with the velocities; at standstill friction saturates at a sliding "
                   "speed of about 0.003 V0"},
-                 {1e-3, 1e5}, length, &Scene::standstill_speed),
+                 {1e-3, 1e5}, speed, &Scene::standstill_speed),
       creep_key(),
       word_key<SlipVariation>(
           {"solve.slip", "\"by-element\"", "\"by-element\", \"plane-axes\" or \"planar\"",

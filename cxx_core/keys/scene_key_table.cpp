@@ -76,14 +76,14 @@ std::vector<Key> pose_keys() {
                   "angle by which the wheelset has turned about its axle, positive when it rolls "
                   "forwards; of a wheel that varies the slice at this angle points down; "
                   "no effect on other wheels"},
-                 {-1e9, 1e9}, pure, &Scene::pitch));
+                 {-1e9, 1e9}, angle, &Scene::pitch));
   keys.push_back(
       number_key({"pose.yaw", "0.0", "-0.2 to 0.2 rad", "yaw, anticlockwise seen from above"},
                  {-0.2, 0.2}, turning_angle, &Scene::yaw));
   Key roll = optional_key({"pose.roll", "\"solve\"", "\"solve\", \"en15302\" or -0.2 to 0.2 rad",
                            "roll, positive lifts the left wheel; solve: both wheels touch; "
                            "en15302: no roll, each wheel separately"},
-                          {-0.2, 0.2}, pure, &Scene::roll, "solve");
+                          {-0.2, 0.2}, angle, &Scene::roll, "solve");
   roll.set_text = [solve = roll.set_text](Scene& s, std::string_view v) {
     if (v == "en15302") {
       s.roll = 0.0;

@@ -7,8 +7,9 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/lower_case.hpp"
 #include "base/nearest_names.hpp"
-#include "keys/removed_keys.hpp"
+#include "keys/removed_names.hpp"
 #include "keys/scene_key_table.hpp"
 
 namespace wrc {
@@ -43,24 +44,28 @@ std::vector<std::string> names_of_keys() {
 }
 
 /// Also as Python writes it: with _ for each point, and without the first groups.
-const RemovedKey* removed_key(std::string_view name) {
+const RemovedName* removed_key(std::string_view name) {
   const auto letter = [](char c) { return c == '.' ? '_' : c; };
-  const auto* const found = std::ranges::find_if(removed_keys, [&](const RemovedKey& removed) {
+  const auto* const found = std::ranges::find_if(removed_names, [&](const RemovedName& removed) {
     const std::string_view old = removed.name;
-    return name.size() <= old.size() &&
+    return removed.kind == NameOf::key && name.size() <= old.size() &&
            (name.size() == old.size() || old[old.size() - name.size() - 1] == '.') &&
            std::ranges::equal(old.substr(old.size() - name.size()), name, {}, letter, letter);
   });
-  return found == removed_keys.end() ? nullptr : found;
+  return found == removed_names.end() ? nullptr : found;
 }
 
 const Key& find_key(std::string_view name) {
-  const auto found =
-      std::ranges::find(keys(), name, [](const Key& key) { return key.description.name; });
-  if (found != keys().end()) {
-    return *found;
+  const auto find = [](std::string_view spelled) {
+    return std::ranges::find(keys(), spelled, [](const Key& key) { return key.description.name; });
+  };
+  const std::string spelled = lower_case(name); // as all keys are
+  for (const std::string_view either : {name, std::string_view(spelled)}) {
+    if (const auto found = find(either); found != keys().end()) {
+      return *found;
+    }
   }
-  if (const RemovedKey* removed = removed_key(name)) {
+  if (const RemovedName* removed = removed_key(spelled)) {
     throw Error(ErrorCode::unknown_name, std::string(removed->name) + " is not a key any more: " +
                                              std::string(removed->successor));
   }
@@ -191,6 +196,11 @@ KeyValue key_value(const Scene& scene, std::string_view name) {
 void set_number(Scene& scene, std::string_view name, double value) {
   const Key& key = find_key(name);
   set_checked_number(scene, key, checked_number(key, scene.convention, value));
+}
+
+std::string key_unit(std::string_view name, Units units) {
+  const Key& key = find_key(name);
+  return key.set_number ? unit_in(units, key.dimension.unit) : "";
 }
 
 std::int32_t key_id(std::string_view name) {

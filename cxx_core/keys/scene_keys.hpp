@@ -26,6 +26,10 @@ void set_number(Scene& scene, std::string_view key, double value);
 void set_text(Scene& scene, std::string_view key, std::string_view value);
 void set_numbers(Scene& scene, std::string_view key, std::span<const double> values);
 
+/// Unit of the number that a key holds, "mm" or "1" of a pure one; "" if it holds a text or a list.
+/// Throws Error(unknown_name).
+std::string key_unit(std::string_view key, Units units);
+
 /// Id of a key: its index in scene_keys(). Throws Error(unknown_name).
 std::int32_t key_id(std::string_view key);
 /// As set_number for each key by its id, in this order; if one is refused, none is set. One

@@ -75,7 +75,8 @@ Scene scene_with(const NoisyScene& noisy, const Line& line) {
   take_curve(scene.right.rail, ProfileKind::rail, noisy.right_rail, line);
   scene.accuracy = std::max(scene.accuracy, likely_accuracy);
   // All lines together take no more elements than one solution may.
-  scene.element_limit = std::max(scene.most_elements() / likely_lines, least_element_limit);
+  scene.element_limit = std::max(scene.element_limit.value_or(default_element_limit) / likely_lines,
+                                 least_element_limit);
   scene.grid.reset();
   scene.tolerance = Scene().tolerance;
   scene.solver = SolverChoice::standard;

@@ -5,8 +5,8 @@
 #include <limits>
 #include <span>
 
+#include "keys/removed_names.hpp"
 #include "scene/number_tables.hpp"
-#include "scene/old_names.hpp"
 #include "scene/result_names.hpp"
 
 namespace wrc {
@@ -53,15 +53,6 @@ bool find_entry(std::span<const Prefix> prefixes, std::string_view name, NumberI
              return found != table.end();
            });
   });
-}
-
-/// The same for a name of now or of earlier.
-bool find_number(std::span<const Prefix> prefixes, std::string_view name, NumberId& id) {
-  if (find_entry(prefixes, name, id)) {
-    return true;
-  }
-  const auto now = name_now(name);
-  return now && find_entry(prefixes, *now, id);
 }
 
 /// Some bits of a packed id.
@@ -127,11 +118,26 @@ std::optional<NumberId> number_id(std::string_view name) {
       found = strip_index(name, any, id.part);
       ++id.part;
     }
-    found = found && find_number(patch_prefixes, name, id);
+    found = found && find_entry(patch_prefixes, name, id);
   } else {
-    found = find_number(side_prefixes, name, id);
+    found = find_entry(side_prefixes, name, id);
   }
   return found ? std::optional(id) : std::nullopt;
+}
+
+std::optional<std::string> removed_number(std::string_view name) {
+  std::string_view rest = name;
+  std::size_t index = 0;
+  if (!strip_prefix(rest, "left.") && !strip_prefix(rest, "right.")) {
+    return std::nullopt;
+  }
+  for (const std::string_view list : {"patches.", "parts."}) {
+    if (strip_prefix(rest, list) &&
+        !strip_index(rest, std::numeric_limits<std::size_t>::max(), index)) {
+      return std::nullopt;
+    }
+  }
+  return removed_result(NameOf::result, name.substr(0, name.size() - rest.size()), rest);
 }
 
 std::vector<std::string> possible_number_names() {

@@ -29,6 +29,10 @@ struct NumberId {
 /// What a name stands for, whether or not a result has it; none if no result ever has.
 std::optional<NumberId> number_id(std::string_view name);
 
+/// The text of an error that names the successor of a result that earlier versions had; none if
+/// they had no such result.
+std::optional<std::string> removed_number(std::string_view name);
+
 /// Names that results may have: all of a scene and both wheels, those of near contacts, patches and
 /// their parts with index 0.
 std::vector<std::string> possible_number_names();

@@ -23,20 +23,36 @@ struct FoundPatch {
 std::vector<FoundPatch> ordered_patches(const SceneResult& result);
 
 /// The members of wrc_patch in their order. Further ones go to the end.
-inline constexpr std::array patch_summary_names = std::to_array<std::string_view>(
-    {"wheel",                            // 0: left, 1: right
-     "x", "y", "z",                      // of the reference
-     "normal.x", "normal.y", "normal.z", // from the rail to the wheel
-     "angle", "rolling_radius", "s_wheel", "normal_force", "creep_force.longitudinal",
-     "creep_force.lateral", "spin_moment", "creepage.longitudinal", "creepage.lateral",
-     "creepage.spin", "semi_axes.longitudinal", "semi_axes.lateral", "approach", "pmax",
-     "friction_power",
-     // Again, where members have the names of results:
-     "pmax", "semi_axes.longitudinal", "semi_axes.lateral", "creep_force.longitudinal",
-     "creep_force.lateral", "creepage.longitudinal", "creepage.lateral", "creepage.spin", "angle",
-     // More of them:
-     "longitudinal_force", "lateral_force", "vertical_force", "pressure_force.x",
-     "pressure_force.y", "pressure_force.z", "coupling_weight"});
+inline constexpr std::array patch_summary_names =
+    std::to_array<std::string_view>({"wheel", // 0: left, 1: right
+                                     "x",
+                                     "y",
+                                     "z", // of the reference
+                                     "normal.x",
+                                     "normal.y",
+                                     "normal.z", // from the rail to the wheel
+                                     "angle",
+                                     "rolling_radius",
+                                     "s_wheel",
+                                     "normal_force",
+                                     "creep_force.longitudinal",
+                                     "creep_force.lateral",
+                                     "spin_moment",
+                                     "creepage.longitudinal",
+                                     "creepage.lateral",
+                                     "creepage.spin",
+                                     "semi_axes.longitudinal",
+                                     "semi_axes.lateral",
+                                     "approach",
+                                     "pmax",
+                                     "friction_power",
+                                     "longitudinal_force",
+                                     "lateral_force",
+                                     "vertical_force",
+                                     "pressure_force.x",
+                                     "pressure_force.y",
+                                     "pressure_force.z",
+                                     "coupling_weight"});
 
 /// 0 for results of creep forces that were not requested, not-a-number for others that are absent.
 using PatchSummary = std::array<double, patch_summary_names.size()>;

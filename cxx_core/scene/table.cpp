@@ -34,6 +34,9 @@ TableGrid::TableGrid(const Scene& scene, std::string_view keys, const double* va
   for (const std::string& name : words_of(results)) {
     const auto id = number_id(name);
     if (!id) {
+      if (const auto removed = removed_number(name)) {
+        throw Error(ErrorCode::unknown_name, "results: " + *removed);
+      }
       throw Error(ErrorCode::unknown_name,
                   "results: there is no result \"" + name +
                       "\"; nearest: " + nearest_names(name, possible_number_names()));
@@ -53,7 +56,7 @@ TableGrid::TableGrid(const Scene& scene, std::string_view keys, const double* va
                              "must be at least 1, with at most 2^28 numbers in all");
     }
     if (std::any_of(axes_.begin(), axes_.end(),
-                    [&key](const Axis& axis) { return axis.key == key; })) {
+                    [id = key_id(key)](const Axis& axis) { return key_id(axis.key) == id; })) {
       throw Error(ErrorCode::invalid_argument,
                   "keys: \"" + key + "\" occurs twice; each key is allowed once");
     }

@@ -153,10 +153,7 @@ std::vector<std::string> profile_files(const Scene& scene) {
 }
 
 bool is_slices_file(const std::string& name) {
-  std::string extension = std::filesystem::path(name).extension().string();
-  for (char& letter : extension) {
-    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  }
+  const std::string extension = lower_case(std::filesystem::path(name).extension().string());
   return extension == ".slcs" || extension == ".slcw";
 }
 
@@ -254,7 +251,7 @@ Assignment split_assignment(const std::string& assignment) {
   if (equals == std::string::npos || equals == 0) {
     throw Failure("--set " + assignment + ": must be key=value");
   }
-  return {assignment.substr(0, equals), assignment.substr(equals + 1)};
+  return {lower_case(assignment.substr(0, equals)), assignment.substr(equals + 1)};
 }
 
 void apply_assignments(Scene& scene, const std::vector<std::string>& assignments) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <sstream>
 
 #include "support/input_file.hpp"
@@ -35,7 +36,29 @@ bool has_endless_key(const std::string& text) {
   return false;
 }
 
+/// Case does not matter in keys: LEFT and left in one table are the same.
+void refuse_doubled(const std::string& file, const toml::table& table) {
+  std::set<std::string> names;
+  for (const auto& [key, node] : table) {
+    if (!names.insert(lower_case(key.str())).second) {
+      throw Failure(file + ", line " + std::to_string(key.source().begin.line) + ": " +
+                    std::string(key.str()) + " occurs twice, in capital and in small letters");
+    }
+    if (const toml::table* inner = node.as_table()) {
+      refuse_doubled(file, *inner);
+    }
+  }
+}
+
 } // namespace
+
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return result;
+}
 
 toml::table read_toml(const std::string& what, const std::string& path) {
   return parse_toml(what, path, read_file(what, path, largest_file));
@@ -54,7 +77,9 @@ toml::table parse_toml(const std::string& what, const std::string& path, const s
                   " parts");
   }
   try {
-    return toml::parse(text);
+    toml::table table = toml::parse(text);
+    refuse_doubled(what + ' ' + path, table);
+    return table;
   } catch (const toml::parse_error& error) {
     std::ostringstream message;
     message << what << ' ' << path << ", line " << error.source().begin.line << ": "
@@ -120,7 +145,7 @@ Value value_of(const std::string& key, const toml::node& node) {
 
 std::string name_within(const std::string& prefix, const toml::key& key) {
   constexpr std::size_t longest = 256;
-  std::string name = prefix + std::string(key.str());
+  std::string name = prefix + lower_case(key.str());
   if (name.size() > longest) {
     throw Failure("key " + name.substr(0, longest / 4) + "...: longer than " +
                   std::to_string(longest) + " bytes");

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,8 +33,11 @@ std::optional<double> number_of(const toml::node& node);
 /// A number, a text or a list of numbers; throws Failure for others.
 Value value_of(const std::string& key, const toml::node& node);
 
-/// The name of a key of a table within others, whose names come before it; throws Failure for one
-/// that is longer than any key could be.
+/// Letters of ASCII made small, as those of all keys are.
+std::string lower_case(std::string_view text);
+
+/// The name of a key of a table within others, whose names come before it, in small letters; throws
+/// Failure for one that is longer than any key could be.
 std::string name_within(const std::string& prefix, const toml::key& key);
 
 /// Adds the values of a table and of those within it, by names with points between.

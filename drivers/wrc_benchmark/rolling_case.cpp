@@ -88,8 +88,8 @@ wrcontact::RollingContact new_contact() {
 using Forces = std::array<double, 3>;
 
 Forces forces_of(const wrcontact::RollingContact& rolling) {
-  return {rolling.number("longitudinal_force") / (friction * load),
-          rolling.number("lateral_force") / (friction * load),
+  return {rolling.number("creep_force.longitudinal") / (friction * load),
+          rolling.number("creep_force.lateral") / (friction * load),
           rolling.number("spin_moment") / (friction * load * mean_axis)};
 }
 

@@ -11,10 +11,20 @@
 namespace driver {
 namespace {
 
-constexpr std::array field_names{"x",         "y",        "z",           "undeformed_distance",
-                                 "row_scale", "pressure", "displacement"};
+struct Field {
+  std::string_view name;
+  const char* like; ///< a result of the same unit
+};
 
-/// Entries of lists as entry 0; old names such as grid.1, with nothing after the number, stay.
+constexpr std::array fields{Field{"x", "left.patches.0.x"},
+                            Field{"y", "left.patches.0.y"},
+                            Field{"z", "left.patches.0.z"},
+                            Field{"undeformed_distance", "left.patches.0.approach"},
+                            Field{"row_scale", "left.fill"},
+                            Field{"pressure", "left.pmax"},
+                            Field{"displacement", "left.patches.0.approach"}};
+
+/// Entries of lists as entry 0.
 std::string with_first_entry(const std::string& name) {
   std::string out;
   for (std::size_t i = 0; i < name.size(); ++i) {
@@ -33,41 +43,6 @@ std::string with_first_entry(const std::string& name) {
   }
   return out;
 }
-
-struct Unit {
-  std::string_view part; ///< of a name
-  const char* unit;
-};
-
-/// Units of keys and fields; the first part that a name contains decides.
-constexpr std::array units{
-    Unit{"solve.near_tolerance", "mm"},
-    Unit{"solve.joining_distance", "mm"},
-    Unit{"solve.", "1"},
-    Unit{"stress.", "1"},
-    Unit{"wear.energy_coefficient", "mm2/N"},
-    Unit{"wear.hardness", "MPa"},
-    Unit{"wear.", "1"},
-    Unit{"fatigue.shear_yield", "MPa"},
-    Unit{"friction.decay", "s/mm"},
-    Unit{"friction", "1"},
-    Unit{"creepage.spin", "1/mm"},
-    Unit{"creepage.", "1"},
-    Unit{"motion.curvature", "1/mm"},
-    Unit{"motion.torque", "N mm"},
-    Unit{"motion.roll", "rad/s"},
-    Unit{"motion.pitch", "rad/s"},
-    Unit{"motion.yaw", "rad/s"},
-    Unit{"motion.", "mm/s"},
-    Unit{"pitch", "rad"},
-    Unit{"load.", "N"},
-    Unit{"pressure", "MPa"},
-    Unit{"modulus", "MPa"},
-    Unit{"poisson", "1"},
-    Unit{"roll", "rad"},
-    Unit{"yaw", "rad"},
-    Unit{"inclination", "rad"},
-};
 
 } // namespace
 
@@ -134,28 +109,18 @@ std::vector<std::string> all_results() {
 
 namespace {
 
-/// The name under which a result is listed now, if this is an old one.
-std::string name_now(const std::string& name, const std::vector<std::string>& known) {
-  Scene scene;
-  const auto id_of = [&scene](const std::string& of) {
-    std::int32_t id = -1;
-    return wrc_scene_number_id(scene.handle(), of.c_str(), &id) == WRC_OK ? id : -1;
-  };
-  const std::int32_t id = id_of(name);
-  const auto same = std::find_if(known.begin(), known.end(), [&](const std::string& other) {
-    return id >= 0 && id_of(other) == id;
-  });
-  return same != known.end() ? *same : name;
-}
-
-/// "; nearest: left.pmax", as the library says of a name that it does not know; else nothing.
-std::string nearest_results(const std::string& name) {
+/// What the library says of a name that it does not know: its successor or "nearest: left.pmax";
+/// else nothing.
+std::string hint_for(const std::string& name) {
   try {
     (void)Scene().number_id(name);
   } catch (const wrcontact::Error& error) {
     const std::string text = error.what();
-    const std::size_t nearest = text.rfind("; nearest: ");
-    return nearest == std::string::npos ? "" : text.substr(nearest);
+    for (const char* hint : {"use ", "nearest: "}) {
+      if (const std::size_t at = text.rfind(hint); at != std::string::npos) {
+        return "; " + text.substr(at);
+      }
+    }
   }
   return "";
 }
@@ -169,9 +134,8 @@ void check_results(const std::vector<std::string>& names) {
     return std::find(known.begin(), known.end(), name) != known.end();
   };
   for (const std::string& name : names) {
-    const std::string first = with_first_entry(name);
-    if (!is_known(first) && !is_known(name_now(first, known))) {
-      throw Failure("study.results: \"" + name + "\" is unknown" + nearest_results(name) +
+    if (!is_known(with_first_entry(name))) {
+      throw Failure("study.results: \"" + name + "\" is unknown" + hint_for(name) +
                     "; must be a name that wrc_sweep --list-results prints");
     }
   }
@@ -180,10 +144,11 @@ void check_results(const std::vector<std::string>& names) {
 void check_fields(const std::vector<std::string>& names) {
   refuse_doubled("study.fields", names);
   for (const std::string& name : names) {
-    if (std::find(field_names.begin(), field_names.end(), name) == field_names.end()) {
+    const auto has_name = [&name](const Field& field) { return field.name == name; };
+    if (std::none_of(fields.begin(), fields.end(), has_name)) {
       std::string allowed;
-      for (const char* field : field_names) {
-        allowed += (allowed.empty() ? "" : ", ") + std::string(field);
+      for (const Field& field : fields) {
+        allowed += (allowed.empty() ? "" : ", ") + std::string(field.name);
       }
       throw Failure("study.fields: \"" + name + "\" is unknown; must be one of " + allowed);
     }
@@ -195,18 +160,13 @@ double result_of(const Scene& scene, const std::string& name) {
 }
 
 std::string unit_of(const Scene& scene, const std::string& name) {
-  const auto* found = std::find_if(units.begin(), units.end(), [&name](const Unit& unit) {
-    return name.find(unit.part) != std::string::npos;
-  });
-  std::string unit = found == units.end() ? "mm" : found->unit;
-  if (scene.get_text("convention.units") == "SI") { // without the prefixes
-    for (const char* prefixed : {"mm", "MPa"}) {
-      if (const std::size_t at = unit.find(prefixed); at != std::string::npos) {
-        unit.erase(at, 1);
-      }
+  for (const Field& field : fields) {
+    if (field.name == name) {
+      return scene.number_unit(field.like);
     }
   }
-  return unit;
+  const std::string unit = scene.key_unit(name);
+  return unit.empty() ? "1" : unit;
 }
 
 std::string long_name_of(const std::string& name) {

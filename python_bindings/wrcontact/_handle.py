@@ -26,7 +26,8 @@ class Handle:
 
     def __init__(self) -> None:
         place = ffi.new(f"wrc_{self._kind} **")
-        status = getattr(lib, f"wrc_{self._kind}_create")(place)
+        interface = "_0_4" if self._kind == "scene" else ""  # wrcontact.h
+        status = getattr(lib, f"wrc_{self._kind}_create{interface}")(place)
         if status != 0:
             raise error_of(status)
         self._handle = ffi.gc(place[0], getattr(lib, f"wrc_{self._kind}_destroy"))

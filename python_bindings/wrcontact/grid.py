@@ -82,6 +82,8 @@ class GridContact(Handle):
             text = ffi.new("const char **")
             if self._kind == "normal" and lib.wrc_normal_text(self._handle, code, text) == 0:
                 return string(text[0])
+            if "any more" in string(self._error(self._handle)):  # the successor of a number
+                self._check(status)
             values = self._copied(self._function("field"), code)
             return values.reshape(self._shape if values.size == np.prod(self._shape) else (3, 3))
         return self._check(status)

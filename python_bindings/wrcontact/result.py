@@ -17,9 +17,6 @@ from .errors import NoResult, UnknownName
 if TYPE_CHECKING:
     from .scene import Scene
 
-# Groups of earlier versions: names in them are still understood (docs/results.md, "Old names").
-_OLD_GROUPS = (".moment", ".sensitivities.lateral_force", ".sensitivities.vertical_force",
-               ".sensitivities.at_load.lateral_force")
 # Which fields are on which grid (docs/results.md, "Fields"); all others on that of pressures.
 _ON_CREEP_GRID = ("creep_", "traction_", "slip_", "frictional_")
 
@@ -49,9 +46,9 @@ class Group:
         number = result._number_or_none(full)
         if number is not None:
             return number
-        if result._is_group(full) or full.endswith(_OLD_GROUPS):
+        if result._is_group(full):
             return Group(result, full + ".")
-        if isinstance(name, int) and not 0 <= name < len(self):
+        if isinstance(name, int) and not 0 <= name < (len(self) or name + 1):
             raise IndexError(f"{self._prefix[:-1]} has {len(self)} entries, there is no {name}")
         return result._value(full)
 
@@ -77,14 +74,14 @@ class Group:
                                   if name.startswith(self._prefix)))
 
     def __len__(self) -> int:
-        count = sum(child.isdigit() for child in self._children())
-        # Pairs of earlier versions: across, along = patch.element_size
-        return count or 2 * (self._result._number_or_none(self._prefix + "1") is not None)
+        return sum(child.isdigit() for child in self._children())
 
     def __bool__(self) -> bool:
         return True
 
     def __iter__(self) -> Iterator[Any]:
+        if not len(self):
+            raise TypeError(f"{self._prefix[:-1]} is not a list; it has {', '.join(self._children())}")
         return (self[index] for index in range(len(self)))
 
     def __repr__(self) -> str:

@@ -31,26 +31,18 @@ class Key(NamedTuple):
     default: str
     allowed: str
     meaning: str
-
-    @property
-    def unit(self) -> str:
-        """Of a key that holds one number, in mm, N, MPa, rad: "mm", "N mm", or "1" of a pure number.
-
-        Empty for texts and lists.
-        """
-        if self.allowed.startswith("["):
-            return ""
-        found = re.search(r"(?:\d|\)) to [-\de.]+(?: ([^\s,]+(?: mm\)?)?))?(?:,|$)", self.allowed)
-        return (found[1] or "1") if found else ""
+    unit: str  #: of the number that it holds, in mm, N, MPa, rad: "N mm", or "1"; empty for texts and lists
 
 
 @lru_cache(maxsize=None)
 def keys() -> Mapping[str, Key]:
     """All keys of a scene by name, in the order of a scene file; the list is the library's."""
     found = {}
-    texts = ffi.new("const char *[4]")
+    scene = Scene()
+    texts = ffi.new("const char *[5]")
     for index in range(lib.wrc_scene_key_count()):
         lib.wrc_scene_key(index, texts, texts + 1, texts + 2, texts + 3)
+        scene._check(lib.wrc_scene_key_unit(scene._handle, texts[0], texts + 4))
         key = Key(*(string(text) for text in texts))
         found[key.name] = key
     return found
@@ -63,15 +55,16 @@ def key_of(word: str) -> str:
     It is the key with `_` for each point, `track_rail` for "track.rail". Groups may be left out from
     the left: `rail`. Of several keys that end so, it is the one with fewest groups left out, and of
     those the one of the pose (`lateral` is "pose.lateral"); otherwise the keyword is refused. What
-    is no keyword of a key goes to the library as it is. UnknownName.
+    is no keyword of a key goes to the library as it is. Case does not matter. UnknownName.
     """
-    if word in keys():
-        return word
+    lower = word.lower()
+    if lower in keys():
+        return lower
     endings: dict[int, list[str]] = {}
     for name in keys():
         parts = name.split(".")
         for left_out in range(len(parts)):
-            if "_".join(parts[left_out:]) == word:
+            if "_".join(parts[left_out:]) == lower:
                 endings.setdefault(left_out, []).append(name)
     if not endings:
         return word

@@ -122,8 +122,6 @@ class Solver(Handle):
         """Drops everything it keeps, so that profile files are read again."""
         self._check(lib.wrc_solver_clear(self._handle))
 
-    forget = clear  # its old name
-
     def step(self, scene: Scene, position: ArrayLike, velocity: ArrayLike, *,
              rails: ArrayLike | None = None, derivatives: bool = False,
              rail_velocities: ArrayLike | None = None, curvature: float | None = None,

@@ -80,11 +80,11 @@ def study(parameters: Mapping[str, Any], results: Sequence[str] = ("left.pmax", 
 
 def _units(key: str, scene: Scene, values: Any) -> dict[str, str]:
     """The attribute `units` of a key, in the scene's units; none for texts and lists."""
-    unit = keys()[key].unit
-    if not unit or not np.issubdtype(values.dtype, np.number):
+    if not np.issubdtype(values.dtype, np.number):
         return {}
-    return {"units": unit if scene["convention.units"] == "mm"
-            else unit.replace("MPa", "Pa").replace("mm", "m")}
+    unit = ffi.new("const char **")
+    scene._check(lib.wrc_scene_key_unit(scene._handle, encoded(key), unit))
+    return {"units": string(unit[0])} if string(unit[0]) else {}
 
 
 def _column(key: str, values: Any) -> Any:

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "call_arguments.hpp"
-#include "old_functions.hpp"
 
 namespace {
 
@@ -143,7 +142,8 @@ wrc_status call_by_id() {
   case 2:
     return wrc_scene_set_numbers_by_id(scene, any_ids(), any_array(), any_count());
   case 3:
-    return wrc_scene_number_unit(scene, any_text(), maybe(&unit));
+    return below(2) == 0 ? wrc_scene_number_unit(scene, any_text(), maybe(&unit))
+                         : wrc_scene_key_unit(scene, any_text(), maybe(&unit));
   default:
     return wrc_scene_numbers_by_id(scene, any_ids(), any_array(), any_count());
   }
@@ -406,19 +406,13 @@ wrc_status call_rolling() {
 }
 
 wrc_status call_process() {
-  double time = 0.0;
   void (*const one_function)(void*) = below(2) == 0 ? nullptr : +[](void*) {};
-  static constexpr std::array<std::int64_t, 6> sizes{
-      0, 1, 16, -1, std::numeric_limits<std::int64_t>::max(), std::int64_t{1} << 40};
-  switch (below(5)) {
+  switch (below(4)) {
   case 0:
     return wrc_load_wisdom(any_text());
   case 1:
     return wrc_save_wisdom(maybe("wisdom"));
   case 2:
-    return wrc_measure_transform(any_of(sizes), any_of(sizes),
-                                 static_cast<std::int32_t>(below(4)) - 1, maybe(&time));
-  case 3:
     return wrc_set_planner_lock(nullptr, one_function, nullptr);
   default:
     return wrc_version() != nullptr &&

@@ -90,6 +90,22 @@ TEST(Units, AreThoseOfTheNumber) {
   expect_error(scene.get(), wrc_scene_number_unit(scene.get(), "model", &unit), WRC_UNKNOWN_NAME,
                "model");
   expect_null_told(scene.get(), wrc_scene_number_unit(scene.get(), nullptr, &unit), "name");
+  for (const auto& [key, in_mm, in_si] : {std::array{"load.both", "N", "N"},
+                                          {"wear.energy_coefficient", "mm2/N", "m2/N"},
+                                          {"friction.decay", "s/mm", "s/m"},
+                                          {"creepage.left", "", ""},
+                                          {"solve.side", "", ""}}) {
+    EXPECT_EQ(wrc_scene_set_text(scene.get(), "convention.units", "mm"), WRC_OK);
+    EXPECT_EQ(wrc_scene_key_unit(scene.get(), key, &unit), WRC_OK);
+    EXPECT_STREQ(unit, in_mm) << key;
+    EXPECT_EQ(wrc_scene_set_text(scene.get(), "convention.units", "SI"), WRC_OK);
+    EXPECT_EQ(wrc_scene_key_unit(scene.get(), key, &unit), WRC_OK);
+    EXPECT_STREQ(unit, in_si) << key;
+  }
+  expect_error(scene.get(), wrc_scene_key_unit(scene.get(), "left.pmax", &unit), WRC_UNKNOWN_NAME,
+               "unknown key left.pmax");
+  expect_null_told(scene.get(), wrc_scene_key_unit(scene.get(), nullptr, &unit), "key");
+  expect_null_told(scene.get(), wrc_scene_key_unit(scene.get(), "load.both", nullptr), "unit");
   expect_null_told(scene.get(), wrc_scene_number_unit(scene.get(), "roll", nullptr), "unit");
 }
 

@@ -29,7 +29,7 @@ static int solve_once(const char* path) {
     fprintf(stderr, "%s\n", dlerror());
     return 0;
   }
-  find(library, "wrc_scene_create", &create, sizeof create);
+  find(library, "wrc_scene_create_0_4", &create, sizeof create);
   find(library, "wrc_scene_solve", &solve, sizeof solve);
   find(library, "wrc_scene_destroy", &destroy, sizeof destroy);
   good = create != NULL && solve != NULL && destroy != NULL && create(&scene) == 0 &&

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "all_results.hpp"
-#include "old_functions.hpp"
 
 namespace names_test {
 namespace {
@@ -31,67 +30,27 @@ ScenePointer solve_moving(const char* slip = "by-element") {
   return scene;
 }
 
-struct Renamed {
-  const char* old;
-  const char* now;
-};
-
-constexpr std::array of_patches{Renamed{"grid.0", "grid.lateral"},
-                                Renamed{"grid.1", "grid.longitudinal"},
-                                Renamed{"element_size.0", "element_size.lateral"},
-                                Renamed{"element_size.1", "element_size.longitudinal"},
-                                Renamed{"creep_grid.0", "creep_grid.lateral"},
-                                Renamed{"creep_grid.1", "creep_grid.longitudinal"},
-                                Renamed{"creep_element_size.0", "creep_element_size.lateral"},
-                                Renamed{"creep_element_size.1", "creep_element_size.longitudinal"},
-                                Renamed{"semi_axes.0", "semi_axes.longitudinal"},
-                                Renamed{"semi_axes.1", "semi_axes.lateral"},
-                                Renamed{"radii.0", "radii.longitudinal"},
-                                Renamed{"radii.1", "radii.lateral"},
-                                Renamed{"closeness", "coupling_weight"},
-                                Renamed{"moment.x", "pressure_moment.x"},
-                                Renamed{"moment.y", "pressure_moment.y"},
-                                Renamed{"moment.z", "pressure_moment.z"}};
-constexpr std::array of_wheels{
-    Renamed{"grid.0", "grid.lateral"},
-    Renamed{"grid.1", "grid.longitudinal"},
-    Renamed{"element_size.0", "element_size.lateral"},
-    Renamed{"element_size.1", "element_size.longitudinal"},
-    Renamed{"moment.x", "pressure_moment.x"},
-    Renamed{"sensitivities.lateral_force.lateral", "sensitivities.pressure_force.y.lateral"},
-    Renamed{"sensitivities.vertical_force.yaw", "sensitivities.pressure_force.z.yaw"},
-    Renamed{"sensitivities.at_load.lateral_force.roll",
-            "sensitivities.at_load.pressure_force.y.roll"}};
-
-void expect_old_name(wrc_scene* scene, const std::string& prefix, const Renamed& name,
-                     const std::set<std::string>& listed) {
-  const std::string old = prefix + name.old;
-  const std::string now = prefix + name.now;
-  SCOPED_TRACE(old);
-  EXPECT_EQ(number_of(scene, old.c_str()), number_of(scene, now.c_str()));
-  std::int32_t old_id = -1;
-  std::int32_t id = -2;
-  EXPECT_EQ(wrc_scene_number_id(scene, old.c_str(), &old_id), WRC_OK);
-  EXPECT_EQ(wrc_scene_number_id(scene, now.c_str(), &id), WRC_OK);
-  EXPECT_EQ(old_id, id);
-  EXPECT_FALSE(listed.contains(old));
-  EXPECT_TRUE(listed.contains(now));
-}
-
-TEST(OldNames, OfResultsAreUnderstoodAndNotListed) {
+/// All removed results: tests/core/keys/removed_names_test.cpp.
+TEST(RemovedResults, NameTheirSuccessors) {
   const ScenePointer scene = solve_moving();
-  const std::set<std::string> listed = number_names(scene.get());
-  for (const std::string side : {"left.", "right."}) {
-    for (const Renamed& name : of_wheels) {
-      expect_old_name(scene.get(), side, name, listed);
-    }
-    for (const Renamed& name : of_patches) {
-      expect_old_name(scene.get(), side + "patches.0.", name, listed);
-    }
-  }
   double value = 0.0;
-  for (const char* name : {"left.grid.2", "grid.0", "left.centroid.moment.x", "left.moment"}) {
-    EXPECT_EQ(wrc_scene_number(scene.get(), name, &value), WRC_UNKNOWN_NAME) << name;
+  std::int32_t id = 0;
+  const char* unit = nullptr;
+  const char* text = nullptr;
+  const std::string expected = "left.patches.0.closeness is not a result any more: use "
+                               "left.patches.0.coupling_weight";
+  const char* name = "left.patches.0.closeness";
+  wrc_scene* s = scene.get();
+  expect_error(s, wrc_scene_number(s, name, &value), WRC_UNKNOWN_NAME, expected);
+  expect_error(s, wrc_scene_number_id(s, name, &id), WRC_UNKNOWN_NAME, expected);
+  expect_error(s, wrc_scene_number_unit(s, name, &unit), WRC_UNKNOWN_NAME, expected);
+  expect_error(s, wrc_scene_text(s, name, &text), WRC_UNKNOWN_NAME, expected);
+  const double load = 8e4;
+  const std::int64_t count = 1;
+  expect_error(s, wrc_scene_tabulate(s, "load.both", &load, &count, name, 1, nullptr, &value),
+               WRC_UNKNOWN_NAME, expected);
+  for (const char* unknown : {"left.grid.2", "grid.0", "left.centroid.moment.x"}) {
+    expect_error(s, wrc_scene_number(s, unknown, &value), WRC_UNKNOWN_NAME, "nearest");
   }
 }
 
@@ -220,42 +179,42 @@ TEST(Patches, HaveTheNamesOfResults) {
   EXPECT_EQ(patch.coupling_weight, of("coupling_weight"));
 }
 
-/// As the header of 0.3 had it, but for the names.
-struct OldPatch {
+/// As the F77 layer takes it.
+struct FirstMembers {
   std::array<double, 22> members;
 };
 
-TEST(Patches, ProgramsWithTheOldStructCanReadThem) {
+TEST(Patches, CanBeReadInPart) {
   const ScenePointer scene = solve_moving();
   constexpr double untouched = -7.0;
-  std::array<OldPatch, 9> old{};
-  old.back().members.fill(untouched);
+  std::array<FirstMembers, 9> first{};
+  first.back().members.fill(untouched);
   std::array<wrc_patch, 8> patches{};
   std::int64_t count = 0;
   ASSERT_EQ(wrc_scene_patches(scene.get(), patches.data(), sizeof(wrc_patch), 8, &count), WRC_OK);
-  ASSERT_EQ(wrc_scene_patches(scene.get(), reinterpret_cast<wrc_patch*>(old.data()),
-                              sizeof(OldPatch), 8, &count),
+  ASSERT_EQ(wrc_scene_patches(scene.get(), reinterpret_cast<wrc_patch*>(first.data()),
+                              sizeof(FirstMembers), 8, &count),
             WRC_OK)
       << wrc_scene_error(scene.get());
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    EXPECT_EQ(old[i].members[0], patches[i].wheel);
-    EXPECT_EQ(old[i].members[7], patches[i].angle);
-    EXPECT_EQ(old[i].members[11], patches[i].creep_force_longitudinal);
-    EXPECT_EQ(old[i].members[12], patches[i].creep_force_lateral);
-    EXPECT_EQ(old[i].members[14], patches[i].creepage_longitudinal);
-    EXPECT_EQ(old[i].members[15], patches[i].creepage_lateral);
-    EXPECT_EQ(old[i].members[16], patches[i].creepage_spin);
-    EXPECT_EQ(old[i].members[17], patches[i].semi_axes_longitudinal);
-    EXPECT_EQ(old[i].members[18], patches[i].semi_axes_lateral);
-    EXPECT_EQ(old[i].members[20], patches[i].pmax);
-    EXPECT_EQ(old[i].members[21], patches[i].friction_power);
+    EXPECT_EQ(first[i].members[0], patches[i].wheel);
+    EXPECT_EQ(first[i].members[7], patches[i].angle);
+    EXPECT_EQ(first[i].members[11], patches[i].creep_force_longitudinal);
+    EXPECT_EQ(first[i].members[12], patches[i].creep_force_lateral);
+    EXPECT_EQ(first[i].members[14], patches[i].creepage_longitudinal);
+    EXPECT_EQ(first[i].members[15], patches[i].creepage_lateral);
+    EXPECT_EQ(first[i].members[16], patches[i].creepage_spin);
+    EXPECT_EQ(first[i].members[17], patches[i].semi_axes_longitudinal);
+    EXPECT_EQ(first[i].members[18], patches[i].semi_axes_lateral);
+    EXPECT_EQ(first[i].members[20], patches[i].pmax);
+    EXPECT_EQ(first[i].members[21], patches[i].friction_power);
   }
-  EXPECT_EQ(old.back().members[0], untouched);
-  EXPECT_EQ(wrc_scene_patches(scene.get(), patches.data(), sizeof(OldPatch) - 8, 8, &count),
+  EXPECT_EQ(first.back().members[0], untouched);
+  EXPECT_EQ(wrc_scene_patches(scene.get(), patches.data(), sizeof(FirstMembers) - 8, 8, &count),
             WRC_INVALID_ARGUMENT);
 }
 
-TEST(OldNames, OfRollingContactAreUnderstood) {
+TEST(RemovedResults, OfRollingContactNameTheirSuccessors) {
   wrc_rolling* rolling = nullptr;
   ASSERT_EQ(wrc_rolling_create(&rolling), WRC_OK);
   const std::vector<double> pressure(16, 100.0);
@@ -264,33 +223,15 @@ TEST(OldNames, OfRollingContactAreUnderstood) {
   EXPECT_EQ(wrc_rolling_set_number(rolling, "longitudinal_creepage", -1e-3), WRC_OK);
   EXPECT_EQ(wrc_rolling_set_number(rolling, "lateral_creepage", -5e-4), WRC_OK);
   EXPECT_EQ(wrc_rolling_solve(rolling), WRC_OK);
-  for (const Renamed& name : {Renamed{"longitudinal_force", "creep_force.longitudinal"},
-                              {"lateral_force", "creep_force.lateral"}}) {
-    double old = 0.0;
-    double now = -1.0;
-    EXPECT_EQ(wrc_rolling_number(rolling, name.old, &old), WRC_OK) << name.old;
-    EXPECT_EQ(wrc_rolling_number(rolling, name.now, &now), WRC_OK) << name.now;
-    EXPECT_EQ(old, now);
-    EXPECT_GT(now, 0.0);
-  }
   double value = 0.0;
+  expect_error(rolling, wrc_rolling_number(rolling, "longitudinal_force", &value), WRC_UNKNOWN_NAME,
+               "longitudinal_force is not a result any more: use creep_force.longitudinal");
+  EXPECT_EQ(wrc_rolling_number(rolling, "creep_force.longitudinal", &value), WRC_OK);
+  EXPECT_GT(value, 0.0);
   EXPECT_EQ(wrc_rolling_number(rolling, "force", &value), WRC_UNKNOWN_NAME);
   EXPECT_FALSE(contains(wrc_rolling_error(rolling), " longitudinal_force"))
       << "an old name is listed: " << wrc_rolling_error(rolling);
   wrc_rolling_destroy(rolling);
-}
-
-TEST(OldFunctions, StillBehaveAsBefore) {
-  const SolverPointer solver = make_solver();
-  const ScenePointer scene = make_small_scene();
-  EXPECT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
-  const AllResults before(scene.get());
-  for (const std::int32_t profiles : {0, 1}) {
-    EXPECT_EQ(wrc_solver_forget(solver.get(), profiles), WRC_OK);
-    EXPECT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
-    EXPECT_EQ(AllResults(scene.get()).difference_to(before), "");
-  }
-  EXPECT_EQ(wrc_solver_forget(nullptr, 1), WRC_INVALID_ARGUMENT);
 }
 
 /// Numbers and fields of scenes in which some are zero by symmetry, by the side, or by sign.

@@ -185,7 +185,7 @@ TEST(OutOfMemory, ARollingContactKeepsItsResults) {
   ASSERT_TRUE(contact.solve());
   contact.set("poisson", 0.28);
   wrc_rolling* rolling = contact.handle();
-  const double before = contact.number("longitudinal_force");
+  const double before = contact.number("creep_force.longitudinal");
   EXPECT_EQ(with_allocations(
                 0, [&] { return wrc_rolling_set_pressure(rolling, pressure.data() + 1, side); }),
             WRC_OUT_OF_MEMORY);
@@ -207,9 +207,10 @@ TEST(OutOfMemory, ARollingContactKeepsItsResults) {
   }
   contact.set("longitudinal_creepage", -0.002);
   EXPECT_GT(fail_each([&] { return wrc_rolling_solve(rolling); },
-                      [&] { EXPECT_EQ(contact.number("longitudinal_force"), before); }),
+                      [&] { EXPECT_EQ(contact.number("creep_force.longitudinal"), before); }),
             10);
-  EXPECT_EQ(contact.number("longitudinal_force"), untouched.number("longitudinal_force"))
+  EXPECT_EQ(contact.number("creep_force.longitudinal"),
+            untouched.number("creep_force.longitudinal"))
       << "failures have left traces";
 }
 

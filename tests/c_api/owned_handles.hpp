@@ -115,6 +115,16 @@ void expect_error(const Handle* handle, wrc_status status, wrc_status expected,
   }
 }
 
+/// Plans lines of this length, doubled and rounded up, unless the process has.
+inline void plan_length(std::int64_t length) {
+  const NormalPointer normal = make_normal();
+  const std::vector<double> gap(static_cast<std::size_t>(4 * length), 0.0);
+  EXPECT_EQ(wrc_normal_set_grid(normal.get(), length, 4, 0.1, 0.1), WRC_OK);
+  EXPECT_EQ(wrc_normal_set_distance(normal.get(), gap.data(), 4 * length), WRC_OK);
+  EXPECT_EQ(wrc_normal_set_number(normal.get(), "approach", 1e-3), WRC_OK);
+  EXPECT_EQ(wrc_normal_solve(normal.get()), WRC_OK);
+}
+
 /// The same for an argument that must not be NULL.
 template <class Handle>
 void expect_null_told(const Handle* handle, wrc_status status, const char* argument) {

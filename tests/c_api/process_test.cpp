@@ -1,8 +1,4 @@
-/// What concerns the whole process: the planner's lock, wisdom, the yardstick.
-#include <cmath>
-#include <limits>
-
-#include "old_functions.hpp"
+/// What concerns the whole process: the planner's lock, wisdom.
 #include "owned_handles.hpp"
 
 namespace process_test {
@@ -15,24 +11,19 @@ struct CountingLock {
   static void unlock(void* context) { ++static_cast<CountingLock*>(context)->unlocked; }
 };
 
-void plan_something() {
-  double time = 0.0;
-  ASSERT_EQ(wrc_measure_transform(8, 8, 1, &time), WRC_OK);
-}
-
 TEST(PlannerLock, OfTheHostIsHeldDuringPlanning) {
   CountingLock counts;
   EXPECT_EQ(wrc_set_planner_lock(CountingLock::lock, nullptr, &counts), WRC_INVALID_ARGUMENT);
   EXPECT_EQ(wrc_set_planner_lock(nullptr, CountingLock::unlock, &counts), WRC_INVALID_ARGUMENT);
-  plan_something();
+  plan_length(20);
   EXPECT_EQ(counts.locked, 0);
   ASSERT_EQ(wrc_set_planner_lock(CountingLock::lock, CountingLock::unlock, &counts), WRC_OK);
-  plan_something();
+  plan_length(50);
   ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
   const int locked = counts.locked;
   EXPECT_GT(locked, 0);
   EXPECT_EQ(counts.unlocked, locked);
-  plan_something();
+  plan_length(150);
   EXPECT_EQ(counts.locked, locked);
 }
 
@@ -64,28 +55,6 @@ TEST_F(Wisdom, FailuresHaveAStatus) {
   EXPECT_EQ(wrc_load_wisdom(path("absent").c_str()), WRC_FILE_UNREADABLE);
   EXPECT_EQ(wrc_save_wisdom(path("absent/wisdom").c_str()), WRC_FILE_UNREADABLE);
   EXPECT_EQ(wrc_load_wisdom(write("text", "not wisdom").c_str()), WRC_FILE_MALFORMED);
-}
-
-TEST(Yardstick, IsAPositiveTime) {
-  for (const std::int32_t repeats : {1, 4}) {
-    double time = -1.0;
-    ASSERT_EQ(wrc_measure_transform(32, 48, repeats, &time), WRC_OK);
-    EXPECT_GT(time, 0.0);
-    EXPECT_TRUE(std::isfinite(time));
-  }
-}
-
-TEST(Yardstick, RefusesInvalidSizes) {
-  constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
-  double time = 7.0;
-  EXPECT_EQ(wrc_measure_transform(8, 8, 1, nullptr), WRC_INVALID_ARGUMENT);
-  EXPECT_EQ(wrc_measure_transform(0, 8, 1, &time), WRC_INVALID_ARGUMENT);
-  EXPECT_EQ(wrc_measure_transform(8, -8, 1, &time), WRC_INVALID_ARGUMENT);
-  EXPECT_EQ(wrc_measure_transform(most, most, 1, &time), WRC_INVALID_ARGUMENT);
-  EXPECT_EQ(wrc_measure_transform(1 << 15, (1 << 13) + 1, 1, &time), WRC_INVALID_ARGUMENT);
-  EXPECT_EQ(wrc_measure_transform(8, 8, 0, &time), WRC_INVALID_ARGUMENT);
-  EXPECT_EQ(wrc_measure_transform(8, 8, 1001, &time), WRC_INVALID_ARGUMENT);
-  EXPECT_EQ(time, 7.0);
 }
 
 } // namespace

@@ -36,7 +36,7 @@ TEST(RollingProblem, SlipOfElementsIsAddedToThatOfCreepages) {
   contact.set("spin_creepage", -0.0004);
   contact.set("tolerance", 1e-6);
   ASSERT_TRUE(contact.solve());
-  const double whole = contact.number("longitudinal_force");
+  const double whole = contact.number("creep_force.longitudinal");
   const double moment = contact.number("spin_moment");
   const double power = contact.number("friction_power");
   std::vector<double> x;
@@ -53,12 +53,12 @@ TEST(RollingProblem, SlipOfElementsIsAddedToThatOfCreepages) {
   }
   ASSERT_TRUE(contact.solve());
   constexpr double of_iteration = 2e-5; // in mu N
-  EXPECT_NEAR(contact.number("longitudinal_force"), whole, of_iteration * friction * load);
+  EXPECT_NEAR(contact.number("creep_force.longitudinal"), whole, of_iteration * friction * load);
   EXPECT_NEAR(contact.number("spin_moment"), moment, of_iteration * friction * load * radius);
   EXPECT_NEAR(contact.number("friction_power"), power, of_iteration * power);
   contact.set_slip({}, {});
   ASSERT_TRUE(contact.solve());
-  EXPECT_EQ(contact.number("longitudinal_force"), 0.0);
+  EXPECT_EQ(contact.number("creep_force.longitudinal"), 0.0);
   EXPECT_THROW(contact.set_slip(x, {}), wrcontact::Error);
 }
 

@@ -348,13 +348,13 @@ TEST(Patches, AreInTheOrderOfTheirPlaces) {
                                                                                : "left.patches.1.";
     EXPECT_EQ(patches[i].s_wheel, scene.number(prefix + "s_wheel"));
     EXPECT_EQ(patches[i].y, scene.number(prefix + "y"));
-    EXPECT_EQ(patches[i].contact_angle, scene.number(prefix + "angle"));
-    EXPECT_EQ(patches[i].spin_creepage, scene.number(prefix + "creepage.spin"));
-    EXPECT_EQ(patches[i].lateral_creep_force, scene.number(prefix + "creep_force.lateral"));
+    EXPECT_EQ(patches[i].angle, scene.number(prefix + "angle"));
+    EXPECT_EQ(patches[i].creepage_spin, scene.number(prefix + "creepage.spin"));
+    EXPECT_EQ(patches[i].creep_force_lateral, scene.number(prefix + "creep_force.lateral"));
     // Creep forces lie in the plane, normal forces have a direction of their own.
     EXPECT_NEAR(patches[i].normal_y, -std::sin(scene.number(prefix + "plane_angle")), 1e-12);
-    force_z += patches[i].normal_force * std::cos(patches[i].contact_angle) -
-               patches[i].lateral_creep_force * patches[i].normal_y;
+    force_z += patches[i].normal_force * std::cos(patches[i].angle) -
+               patches[i].creep_force_lateral * patches[i].normal_y;
   }
   EXPECT_NEAR(force_z / scene.number("left.total.force.z"), 1.0, 1e-6);
   std::int64_t count = 0;

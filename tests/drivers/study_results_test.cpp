@@ -1,4 +1,4 @@
-/// Results of studies by name: old names, loads of the file and of the command line.
+/// Results of studies by name: removed names, loads of the file and of the command line.
 #include <algorithm>
 #include <sstream>
 
@@ -34,27 +34,28 @@ protected:
   }
 };
 
-/// A study of an earlier version: its columns have the names it asks for.
-TEST_F(StudyResults, OldNamesOfResultsAreUnderstood) {
-  write("s.toml", "[solve]\ngrid = [24, 20]\n[study]\nresults = [\"left.grid.0\", "
-                  "\"left.grid.lateral\", \"right.patches.0.semi_axes.1\", "
-                  "\"right.patches.0.semi_axes.lateral\", \"left.patches.0.closeness\", "
-                  "\"left.moment.x\", \"left.sensitivities.lateral_force.yaw\"]\n");
-  solve("s.toml", "o");
-  EXPECT_EQ(entry("o/s.csv", 1, "left.grid.0"), "24");
-  EXPECT_EQ(entry("o/s.csv", 1, "left.grid.lateral"), "24");
-  EXPECT_EQ(entry("o/s.csv", 1, "right.patches.0.semi_axes.1"),
-            entry("o/s.csv", 1, "right.patches.0.semi_axes.lateral"));
-  EXPECT_EQ(entry("o/s.csv", 1, "left.patches.0.closeness"), "0");
-  EXPECT_NE(entry("o/s.csv", 1, "left.moment.x"), "");
-  EXPECT_NE(entry("o/s.csv", 1, "left.sensitivities.lateral_force.yaw"), "");
-  write("s.toml", "[study]\nresults = [\"left.grid.2\"]\n");
-  const Outcome refused = run("s.toml --out o");
+/// A study of an earlier version: the error says what its results are called now.
+TEST_F(StudyResults, RemovedResultsNameTheirSuccessors) {
+  write("s.toml", "[study]\nresults = [\"left.pmax\", \"right.patches.0.semi_axes.1\"]\n");
+  Outcome refused = run("s.toml --out o");
   EXPECT_NE(refused.exit_code, 0);
-  EXPECT_NE(refused.error.find("\"left.grid.2\" is unknown"), std::string::npos) << refused.error;
-  const std::string listed = run("--list-results").out;
-  EXPECT_EQ(listed.find("grid.0"), std::string::npos);
-  EXPECT_NE(listed.find("left.grid.lateral"), std::string::npos);
+  EXPECT_NE(refused.error.find("\"right.patches.0.semi_axes.1\" is unknown; use "
+                               "right.patches.0.semi_axes.lateral"),
+            std::string::npos)
+      << refused.error;
+  write("s.toml", "[study]\nresults = [\"left.grid.2\"]\n");
+  refused = run("s.toml --out o");
+  EXPECT_NE(refused.exit_code, 0);
+  EXPECT_NE(refused.error.find("\"left.grid.2\" is unknown; nearest"), std::string::npos)
+      << refused.error;
+}
+
+/// A key of the command line replaces that of the file, whatever its case.
+TEST_F(StudyResults, CaseOfKeysDoesNotMatter) {
+  write("s.toml", "[POSE]\nLateral = [0.0, 1.0]\n[solve]\ngrid = [24, 20]\n[study]\nresults = "
+                  "[\"left.pmax\"]\n");
+  solve("s.toml --set 'Pose.lateral=[2, 3]' 'Load.Both=7e4'", "o");
+  EXPECT_EQ(std::stod(entry("o/s.csv", 1, "pose.lateral")), 2.0);
 }
 
 /// What carries the load in the file, and other loads on the command line.

@@ -309,6 +309,26 @@ TEST_F(WrcCase, SceneFileWithTables) {
   EXPECT_NEAR(from_file.at("right").at("vertical_force").get<double>(), 60000.0, load_balance);
 }
 
+/// In files and in assignments, which programs order by name: the general before the special.
+TEST_F(WrcCase, KeysMayHaveCapitals) {
+  write("scene.toml", "[LOAD]\nLEFT = 50000.0\nboth = 60000\n[Solve]\nGrid = [24, 20]\n");
+  const json result = run_json("scene.toml --set Pose.LATERAL=2");
+  constexpr double load_balance = 1e-4; // N, rounding of the balance
+  EXPECT_NEAR(result.at("left").at("vertical_force").get<double>(), 50000.0, load_balance);
+  EXPECT_NEAR(result.at("right").at("vertical_force").get<double>(), 60000.0, load_balance);
+  EXPECT_EQ(result.at("left").at("pmax"),
+            run_json(small + "--set pose.lateral=2 load.both=60000 load.left=50000")
+                .at("left")
+                .at("pmax"));
+  EXPECT_NEAR(run_json(small + "--set LOAD.left=50000 load.both=60000")
+                  .at("left")
+                  .at("vertical_force")
+                  .get<double>(),
+              50000.0, load_balance);
+  write("twice.toml", "[load]\nleft = 50000.0\nLeft = 60000\n");
+  run("twice.toml").expect_refusal({"twice.toml, line ", "occurs twice"});
+}
+
 TEST_F(WrcCase, SetOverridesTheSceneFile) {
   write("scene.toml", "[pose]\nlateral = 2.0\nroll = 0.001\n[solve]\ngrid = [24, 20]\n");
   EXPECT_EQ(run_json("scene.toml --set pose.roll=0.002").at("roll"), 0.002);

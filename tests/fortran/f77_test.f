@@ -225,15 +225,6 @@ c A solver's steps end where a scene by itself does.
       call wrcsol(scene, ierr)
       call wrcnum(scene, 'left.pmax', alone, ierr)
       call expect(abs(step - alone) .le. 0.0d0, 'bit for bit')
-      ierr = -1
-      call wrcfor(solver, 0, ierr)
-      call expect(ierr .eq. 0, 'an old call')
-      call wrcstp(solver, scene, ierr)
-      call wrcnum(scene, 'left.pmax', step, ierr)
-      call expect(abs(step - alone) .le. 0.0d0, 'still so')
-      ierr = -1
-      call wrcfor(solver, 1, ierr)
-      call expect(ierr .eq. 0, 'the same')
       call wrcclr(solver, ierr)
       call expect(ierr .eq. 0, 'all forgotten')
       ierr = -1
@@ -332,7 +323,7 @@ c Steps of rolling from tractions of none: the force grows.
       call wrcsol(rollng, ierr)
       call expect(ierr .eq. 0, 'a first step')
       ierr = -1
-      call wrcnum(rollng, 'longitudinal_force', one, ierr)
+      call wrcnum(rollng, 'creep_force.longitudinal', one, ierr)
       call expect(ierr .eq. 0 .and. one .gt. 0.0d0, 'its force')
       ierr = -1
       m = -1
@@ -343,19 +334,19 @@ c Steps of rolling from tractions of none: the force grows.
       call wrcadv(rollng, ierr)
       call expect(ierr .eq. 0, 'to the next step')
       call wrcsol(rollng, ierr)
-      call wrcnum(rollng, 'longitudinal_force', two, ierr)
+      call wrcnum(rollng, 'creep_force.longitudinal', two, ierr)
       call expect(two .gt. one, 'grows')
       ierr = -1
       call wrcprv(rollng, qx, qy, 0, ierr)
       call expect(ierr .eq. 0, 'no history')
       call wrcsol(rollng, ierr)
-      call wrcnum(rollng, 'longitudinal_force', value, ierr)
+      call wrcnum(rollng, 'creep_force.longitudinal', value, ierr)
       call expect(abs(value - one) .le. 0.0d0, 'the first step')
       ierr = -1
       call wrcprv(rollng, qx, qy, n, ierr)
       call expect(ierr .eq. 0, 'a history')
       call wrcsol(rollng, ierr)
-      call wrcnum(rollng, 'longitudinal_force', value, ierr)
+      call wrcnum(rollng, 'creep_force.longitudinal', value, ierr)
       call expect(abs(value - two) .le. 0.0d0, 'the second step')
       ierr = -1
       call wrctxt(rollng, 'stop_reason', text, ierr)

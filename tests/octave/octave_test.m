@@ -111,8 +111,6 @@
 %! q = wrc_rolling (n.pressure, [0.5 0.5], 'model', 'fastsim', 'longitudinal_creepage', 1e-3);
 %! assert (num2hex (q.traction_x(:)), expected ('=rolling'));
 %! assert (q.creep_force.longitudinal < 0);
-%! assert (q.longitudinal_force, q.creep_force.longitudinal); % its old name
-%! assert (q.lateral_force, q.creep_force.lateral);
 
 %!test <*errors have the text of the library and the status as identifier>
 %! file = [tempname(), '.txt'];

@@ -35,18 +35,6 @@ WornProfile worn(std::int32_t kind, const std::string& name, const Wear& wear, d
   return result;
 }
 
-/// mm, N, MPa of what a key's number is in m, N, Pa.
-double unit_of(const std::string& key) {
-  for (const char* length :
-       {"gauge", "gauge_height", "smoothing", "back_to_back", "tape_offset", "radius",
-        "pose.lateral", "pose.vertical", "near_tolerance", "joining_distance"}) {
-    if (key.ends_with(length)) {
-      return 1e3;
-    }
-  }
-  return key.ends_with("youngs_modulus") ? 1e-6 : 1.0;
-}
-
 void set_value(wrcontact::Scene& scene, const std::string& key, const Value& value,
                double factor = 1.0) {
   if (const double* number = std::get_if<double>(&value)) {
@@ -57,6 +45,19 @@ void set_value(wrcontact::Scene& scene, const std::string& key, const Value& val
 }
 
 } // namespace
+
+double size_of(const std::string& unit) {
+  if (unit == "MPa") {
+    return 1e6;
+  }
+  double size = 1.0;
+  for (std::size_t at = unit.find("mm"); at != std::string::npos; at = unit.find("mm", at + 1)) {
+    const bool divides = at > 0 && unit[at - 1] == '/';
+    const bool squared = unit.substr(at + 2, 1) == "2";
+    size *= std::pow(1e-3, (divides ? -1.0 : 1.0) * (squared ? 2.0 : 1.0));
+  }
+  return size;
+}
 
 DrawnScene::DrawnScene(std::uint64_t seed) : random_(seed) {
   draw_profiles();
@@ -251,7 +252,7 @@ wrcontact::Scene DrawnScene::made_in_si() {
   wrcontact::Scene scene;
   scene.set("convention.units", "SI");
   for (const auto& [key, value] : values_) {
-    set_value(scene, key, value, 1.0 / unit_of(key));
+    set_value(scene, key, value, size_of(wrcontact::Scene().key_unit(key)));
   }
   set_profiles(scene);
   scene.set("convention.units", "mm");

@@ -17,6 +17,9 @@ namespace properties {
 
 using Value = std::variant<double, std::string, std::vector<double>>;
 
+/// One of a unit in mm, N, N mm, MPa as a number in m, N, N m, Pa.
+double size_of(const std::string& unit);
+
 /// Points of a built-in profile with wear and noise, joined anew.
 struct WornProfile {
   std::int32_t kind = WRC_WHEEL;

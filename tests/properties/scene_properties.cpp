@@ -78,20 +78,6 @@ bool is_stress(const std::string& name) {
                      [&name](const char* end) { return name.ends_with(end); });
 }
 
-/// One of a unit in m, N, N m, Pa.
-double size_of(const std::string& unit) {
-  if (unit == "MPa") {
-    return 1e6;
-  }
-  double size = 1.0;
-  for (std::size_t at = unit.find("mm"); at != std::string::npos; at = unit.find("mm", at + 1)) {
-    const bool divides = at > 0 && unit[at - 1] == '/';
-    const bool squared = unit.substr(at + 2, 1) == "2";
-    size *= std::pow(1e-3, (divides ? -1.0 : 1.0) * (squared ? 2.0 : 1.0));
-  }
-  return size;
-}
-
 /// How accurate a side's depth is as it says itself: as asked, or as estimated on a grid that was
 /// given; none if it says that it is not.
 std::optional<double> told_accuracy(const DrawnScene& scene, const Outcome& outcome,

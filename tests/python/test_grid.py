@@ -50,11 +50,11 @@ def test_creep_forces_rise_as_kalker_says():
     rolling = wrcontact.RollingContact(normal.pressure, step, step, poisson=0.25, friction=0.3,
                                        longitudinal_creepage=-1e-5, derivatives=1).solve()
     shear_modulus = 210000 / (2 * 1.28)
-    assert np.isclose(rolling.longitudinal_force, shear_modulus * radius**2 * 4.12 * 1e-5, rtol=0.02)
-    assert np.isclose(rolling.creepage_derivatives[0, 0], rolling.longitudinal_force / -1e-5, rtol=0.05)
-    assert np.isclose(rolling.traction_x.sum() * step**2, rolling.longitudinal_force, rtol=1e-9)
+    assert np.isclose(rolling.creep_force.longitudinal, shear_modulus * radius**2 * 4.12 * 1e-5, rtol=0.02)
+    assert np.isclose(rolling.creepage_derivatives[0, 0], rolling.creep_force.longitudinal / -1e-5, rtol=0.05)
+    assert np.isclose(rolling.traction_x.sum() * step**2, rolling.creep_force.longitudinal, rtol=1e-9)
     slipping = rolling.set(longitudinal_creepage=-0.1).solve()
-    assert np.isclose(slipping.longitudinal_force, 0.3 * load, rtol=1e-3)
+    assert np.isclose(slipping.creep_force.longitudinal, 0.3 * load, rtol=1e-3)
 
 
 def test_slip_of_elements_is_added_to_that_of_creepages():
@@ -62,11 +62,11 @@ def test_slip_of_elements_is_added_to_that_of_creepages():
     pressure = wrcontact.NormalContact(gap, step, step, normal_load=8e4).solve().pressure
     rolling = wrcontact.RollingContact(pressure, step, step, tolerance=1e-6,
                                        longitudinal_creepage=-1e-3).solve()
-    force = rolling.longitudinal_force
+    force = rolling.creep_force.longitudinal
     nothing = np.zeros_like(pressure)
     rolling.set(longitudinal_creepage=0).set_slip(nothing - 1e-3, nothing).solve()
-    assert np.isclose(rolling.longitudinal_force, force, rtol=1e-5)
-    assert rolling.set_slip([], []).solve().longitudinal_force == 0
+    assert np.isclose(rolling.creep_force.longitudinal, force, rtol=1e-5)
+    assert rolling.set_slip([], []).solve().creep_force.longitudinal == 0
     with pytest.raises(wrcontact.InvalidArgument):
         rolling.set_slip(nothing, [])
 
@@ -75,12 +75,12 @@ def test_a_shift_starts_from_previous_tractions():
     gap, step = sphere(32)
     pressure = wrcontact.NormalContact(gap, step, step, normal_load=8e4).solve().pressure
     shift = wrcontact.RollingContact(pressure, step, step, contact="shift", longitudinal_creepage=-1e-3)
-    first = shift.solve().longitudinal_force
+    first = shift.solve().creep_force.longitudinal
     tractions = shift.traction_x, shift.traction_y
-    second = shift.advance().solve().longitudinal_force
+    second = shift.advance().solve().creep_force.longitudinal
     assert first < second
-    assert shift.set_previous(*tractions).solve().longitudinal_force == second
-    assert shift.set_previous([], []).solve().longitudinal_force == first
+    assert shift.set_previous(*tractions).solve().creep_force.longitudinal == second
+    assert shift.set_previous([], []).solve().creep_force.longitudinal == first
     with pytest.raises(wrcontact.InvalidArgument):
         shift.set_previous(tractions[0], [])
 

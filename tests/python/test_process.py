@@ -35,7 +35,7 @@ except ImportError as error:
 """
     environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
     assert "there is no libwrcontact.so.*" in python(program, env=environment).stdout
-    (folder / "libwrcontact.so.0").write_text("not a library")
+    (folder / "libwrcontact.so.0.4").write_text("not a library")
     assert "cannot be loaded" in python(program, env=environment).stdout
 
 

@@ -69,6 +69,13 @@ def test_keywords_stand_for_the_keys_of_the_library():
         wrcontact.Scene(latral=3)
 
 
+def test_case_of_keys_does_not_matter():
+    scene = wrcontact.Scene(Lateral=3, LOAD_Left=7e4)
+    assert (scene["pose.lateral"], scene["Load.LEFT"]) == (3, 7e4)
+    with pytest.raises(wrcontact.InvalidArgument, match="load.left is given twice"):
+        wrcontact.Scene(load_left=7e4, LOAD_Left=7e4)
+
+
 def test_a_key_that_is_named_twice_is_refused():
     with pytest.raises(wrcontact.InvalidArgument, match="pose.lateral is given twice, as lateral and as pose_lat"):
         wrcontact.solve(lateral=4, pose_lateral=3)

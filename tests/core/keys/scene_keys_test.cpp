@@ -1,5 +1,6 @@
 #include "keys/scene_keys.hpp"
 
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -52,6 +53,50 @@ TEST(SceneKeys, EveryKeyRefusesForbiddenValuesAndNamesAllowedOnes) {
     const std::array<double, 5> five{1.0, 2.0, 3.0, 4.0, 5.0}; // no list has as many
     error_text([&] { set_numbers(scene, key.name, five); }, ErrorCode::invalid_argument);
   }
+}
+
+TEST(SceneKeys, CaseDoesNotMatter) {
+  for (const KeyDescription& key : scene_keys()) {
+    std::string capitals(key.name);
+    for (char& c : capitals) {
+      EXPECT_FALSE(c >= 'A' && c <= 'Z') << key.name << ": names are spelled in small letters";
+      c = static_cast<char>(std::toupper(c));
+    }
+    EXPECT_EQ(key_id(capitals), key_id(key.name));
+  }
+  Scene scene;
+  set_number(scene, "Load.LEFT", 7e4);
+  EXPECT_EQ(std::get<double>(key_value(scene, "load.left")), 7e4);
+  set_text(scene, "Track.Rail", "54E3"); // values keep theirs
+  EXPECT_EQ(scene.left.rail.name, "54E3");
+  EXPECT_EQ(error_text([&] { set_number(scene, "LOAD.Vertical", 7e4); }, ErrorCode::unknown_name),
+            "load.vertical is not a key any more: use load.both");
+}
+
+/// A range is stated with the unit: "600 to 1700 mm".
+TEST(SceneKeys, UnitsAreThoseOfTheirRanges) {
+  for (const KeyDescription& key : scene_keys()) {
+    const std::string unit = key_unit(key.name, Units::mm);
+    const std::string allowed(key.allowed);
+    const bool is_list = allowed.starts_with('[');
+    const auto pure = [&] { // a number ends the range, or a comma
+      const std::size_t at = allowed.find(" to ");
+      const std::size_t end = allowed.find_first_of(" ,", at + 4);
+      return at != std::string::npos && (end == std::string::npos || allowed[end] == ',');
+    };
+    if (is_list || allowed.find(" to ") == std::string::npos) {
+      EXPECT_EQ(unit, "") << key.name;
+    } else if (key.name == "wear.energy_coefficient") { // spelled out there
+      EXPECT_EQ(unit, "mm2/N");
+    } else if (unit == "1") {
+      EXPECT_TRUE(pure()) << key.name << ": " << allowed;
+    } else {
+      EXPECT_NE(allowed.find(' ' + unit), std::string::npos) << key.name << ": " << unit;
+      EXPECT_FALSE(pure()) << key.name << ": " << allowed;
+    }
+  }
+  EXPECT_EQ(key_unit("motion.speed", Units::si), "m/s");
+  EXPECT_EQ(key_unit("material.wheel.youngs_modulus", Units::si), "Pa");
 }
 
 TEST(SceneKeys, RangesAreStatedInTheUnitsAndFrameOfTheCaller) {

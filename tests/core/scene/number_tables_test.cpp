@@ -11,7 +11,6 @@
 #include "scene/number_group.hpp"
 #include "scene/number_ids.hpp"
 #include "scene/number_table.hpp"
-#include "scene/old_names.hpp"
 #include "scene/rate_tables.hpp"
 
 namespace wrc::test::number_tables_test {
@@ -110,22 +109,6 @@ TEST(NumberTables, RatesOfCreepForcesAreThoseOfTheMatrix) {
     } else if (number.name == "creep_force.longitudinal.by.friction") {
       EXPECT_EQ(number.value(creep), 30.0);
     }
-  }
-}
-
-TEST(NumberTables, OldNamesMapToCurrentOnes) {
-  EXPECT_EQ(name_now("grid.0"), "grid.lateral");
-  EXPECT_EQ(name_now("moment.x"), "pressure_moment.x");
-  EXPECT_FALSE(name_now("pmax"));
-  for (const OldName& name : old_names) {
-    const std::string now(name.now);
-    bool known = false;
-    for (const std::string prefix : {"left.", "left.patches.0."}) {
-      for (const std::string suffix : {"", "lateral", "x"}) {
-        known = known || number_id(prefix + now + suffix).has_value();
-      }
-    }
-    EXPECT_TRUE(known) << now;
   }
 }
 
