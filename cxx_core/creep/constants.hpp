@@ -104,4 +104,12 @@ inline constexpr double step_iteration_share = 0.04;
 /// origin: measured: as creep_iteration_share.
 inline constexpr double creep_error_by_residual = 0.3;
 
+/// Creepages, and the spin times the radius, above which they are warned of.
+/// origin: reasoned: flanges have 0.06 and 1, and 1 means one per mille, 0.1 that in 1/m.
+constexpr double greatest_creepage = 0.2;
+constexpr double greatest_spin = 3.0;
+/// Speed of slip over creepage, mm/s, below which those of a motion are not: wheels that start or
+/// stop slide. origin: reasoned: braking to rest ends with a wheel that slides for some steps.
+constexpr double least_rolling_speed = 1000.0;
+
 } // namespace wrc

@@ -426,7 +426,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   const ModelChoice model = choose_model(scene);
   const SceneSurfaces surfaces = shared->surfaces.get(scene);
   prepare_solvers(scene);
-  result.unused_keys = UnusedKeys(scene);
+  result.key_warnings = KeyWarnings(scene);
   result.corrections = surfaces.corrections;
   result.profile_warnings = surfaces.warnings;
   result.time.profile = surfaces.profile_milliseconds;
