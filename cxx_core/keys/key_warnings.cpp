@@ -9,6 +9,7 @@
 
 #include "keys/constants.hpp"
 #include "keys/scene_keys.hpp"
+#include "profile/profile.hpp"
 
 namespace wrc {
 namespace {
@@ -29,6 +30,11 @@ bool wants_wear(const Scene& scene) {
   return scene.damage.wear || scene.damage.fatigue;
 }
 
+/// Whether a wheel is read from a file, and may be placed.
+bool is_file(const ProfileChoice& wheel) {
+  return !wheel.given && standard_name(wheel.name, ProfileKind::wheel).empty();
+}
+
 /// Whether it is no load that a wheel carries, and not none.
 bool is_light(double load) {
   return load > 0.0 && load < least_load;
@@ -44,19 +50,28 @@ bool slips_while_rolling(const Scene& scene) {
 
 const Names loads{"load.both", "load.left", "load.right", "load.of"};
 
-std::vector<Row> make_rows() {
-  std::vector<Row> rows;
-  WarningClass kind = WarningClass::unused_key;
-  const auto add = [&rows, &kind](Names keys, Names causes, Condition holds,
-                                  std::string_view reason = {}) {
+/// Adds rows of one class of warnings.
+class Rows {
+public:
+  Rows(WarningClass kind, std::vector<Row>& rows) : kind_(kind), rows_(rows) {}
+
+  void operator()(Names keys, Names causes, Condition holds, std::string_view reason = {}) {
     for (const std::string_view key : keys) {
-      Row row{kind, key_id(key), {}, reason, holds};
+      Row row{kind_, key_id(key), {}, reason, holds};
       for (const std::string_view cause : causes) {
         row.causes.push_back(key_id(cause));
       }
-      rows.push_back(row);
+      rows_.push_back(row);
     }
-  };
+  }
+
+private:
+  WarningClass kind_;
+  std::vector<Row>& rows_;
+};
+
+void add_unused(std::vector<Row>& rows) {
+  Rows add(WarningClass::unused_key, rows);
   add(loads, {"pose.vertical"}, [](const Scene& s) { return s.vertical.has_value(); });
 
   add({"motion.pitch", "motion.torque", "motion.lateral", "motion.vertical", "motion.roll",
@@ -84,6 +99,21 @@ std::vector<Row> make_rows() {
   add({"friction.right_places"}, {"friction.right", "friction.coefficient"},
       [](const Scene& s) { return s.right.friction.places.empty(); });
 
+  add(
+      {"friction.decay"}, {}, [](const Scene& s) { return s.left.friction.limit_ratio == 1.0; },
+      " is not used: friction.limit_ratio is 1");
+  add(
+      {"friction.limit_ratio"}, {}, [](const Scene& s) { return s.left.friction.decay == 0.0; },
+      " is not used: friction.decay is 0");
+  add(
+      {"wheelset.align_to", "wheelset.profile_origin", "wheelset.profile_shift",
+       "wheelset.profile_rotation"},
+      {}, [](const Scene& s) { return !is_file(s.left.wheel) && !is_file(s.right.wheel); },
+      " is not used: no wheel is read from a file");
+  add({"pose.longitudinal"}, {}, has_prismatic_rails,
+      " is not used: no rail varies along the track");
+  add({"pose.pitch"}, {}, has_round_wheels, " is not used: no wheel varies around its axle");
+
   add({"solve.grid"}, {"solve.accuracy"}, [](const Scene& s) { return !s.grid; });
   add(
       {"solve.results"}, {},
@@ -93,8 +123,10 @@ std::vector<Row> make_rows() {
       {"solve.results"}, {},
       [](const Scene& s) { return wants_wear(s) && !s.has_creepages() && !s.motion; },
       ": no wear or fatigue without creep forces, which keys of creepage.* or motion.* request");
+}
 
-  kind = WarningClass::implausible_input;
+void add_implausible(std::vector<Row>& rows) {
+  Rows add(WarningClass::implausible_input, rows);
   constexpr std::string_view light = " is below 1 kN, which hardly any wheel carries: it is in N";
   add(
       {"load.both"}, {},
@@ -113,6 +145,12 @@ std::vector<Row> make_rows() {
       " is more than 1:15, rails have 1:20 to 1:40: it is the inclination of each rail, not the "
       "cant "
       "of the track");
+}
+
+std::vector<Row> make_rows() {
+  std::vector<Row> rows;
+  add_unused(rows);
+  add_implausible(rows);
   return rows;
 }
 
