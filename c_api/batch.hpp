@@ -31,7 +31,7 @@ wrc_status take_all(const char* name, Handle* const* handles, int64_t count,
         taken.emplace_back(std::make_unique<InUse<Object<Handle>>>(entry_of(handles[i])));
     if (!handle->held()) {
       const bool is_twice = std::find(handles, handles + i, handles[i]) != handles + i;
-      error = std::string(name) + '[' + std::to_string(i) + "]: " +
+      error = name + (count > 1 ? '[' + std::to_string(i) + ']' : std::string()) + ": " +
               (is_twice ? "the same handle as another one: they must all be different"
                         : reason_of(*handle));
       return handle->exists() && !is_twice ? WRC_BUSY : WRC_INVALID_ARGUMENT;

@@ -133,9 +133,9 @@ wrc_status step(wrc::SolverObject& solver, wrc::SceneObject& scene, const StepAr
 /// The histories of a batch; none if there are none.
 wrc_status take_histories(const wrc_step_arguments& arguments, int64_t count,
                           wrc::HandlesInUse<wrc_history>& taken, std::string& error) {
-  return arguments.histories != nullptr
-             ? wrc::take_all("histories", arguments.histories, count, taken, error)
-             : WRC_OK;
+  return arguments.histories != nullptr ? wrc::take_all(count > 1 ? "histories" : "history",
+                                                        arguments.histories, count, taken, error)
+                                        : WRC_OK;
 }
 
 } // namespace

@@ -420,7 +420,7 @@ TEST(History, RefusesWhatItCannotSolve) {
   wrc_history* none = nullptr;
   arguments.histories = &none;
   EXPECT_EQ(step(), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(says("histories[0]: "));
+  EXPECT_TRUE(says("history: "));
   arguments.histories = &handle;
   scene.set("solve.creep", "fastsim");
   EXPECT_EQ(step(), WRC_INVALID_ARGUMENT);
