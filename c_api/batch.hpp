@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "base/worker_threads.hpp"
@@ -21,22 +22,37 @@ inline bool is_permitted_batch(int64_t count, int32_t threads) {
 
 template <class Handle> using HandlesInUse = std::vector<std::unique_ptr<InUse<Object<Handle>>>>;
 
-/// All handles of a batch, or the status that says why they are not available.
+/// All handles of a batch, or the status and the text that say why they are not available.
 template <class Handle>
-wrc_status take_all(Handle* const* handles, int64_t count, HandlesInUse<Handle>& taken) {
-  std::vector<Handle*> ordered(handles, handles + count);
-  std::sort(ordered.begin(), ordered.end());
-  if (std::adjacent_find(ordered.begin(), ordered.end()) != ordered.end()) {
-    return WRC_INVALID_ARGUMENT;
-  }
+wrc_status take_all(const char* name, Handle* const* handles, int64_t count,
+                    HandlesInUse<Handle>& taken, std::string& error) {
   for (int64_t i = 0; i < count; ++i) {
     const auto& handle =
         taken.emplace_back(std::make_unique<InUse<Object<Handle>>>(entry_of(handles[i])));
     if (!handle->held()) {
-      return handle->exists() ? WRC_BUSY : WRC_INVALID_ARGUMENT;
+      const bool is_twice = std::find(handles, handles + i, handles[i]) != handles + i;
+      error = name + (count > 1 ? '[' + std::to_string(i) + ']' : std::string()) + ": " +
+              (is_twice ? "the same handle as another one: they must all be different"
+                        : reason_of(*handle));
+      return handle->exists() && !is_twice ? WRC_BUSY : WRC_INVALID_ARGUMENT;
     }
   }
   return WRC_OK;
+}
+
+/// Of a batch whose handles are not available: the status of each scene, and the text of those that
+/// nobody uses.
+inline wrc_status refuse_batch(wrc_scene* const* scenes, int64_t count, wrc_status* statuses,
+                               wrc_status status, const std::string& error) {
+  for (int64_t i = 0; i < count; ++i) {
+    if (const auto used = use(scenes[i]); used.held()) {
+      keep_text(used.object().error, error.c_str());
+    }
+    if (statuses != nullptr) {
+      statuses[i] = status;
+    }
+  }
+  return status;
 }
 
 /// Calls a worker for each index on up to `threads` threads; each thread has its worker from

@@ -4,8 +4,8 @@
 #include <exception>
 
 #include "base/fork.hpp"
+#include "keys/key_warnings.hpp"
 #include "keys/scene_keys.hpp"
-#include "keys/unused_keys.hpp"
 
 namespace wrc {
 
@@ -24,8 +24,8 @@ using AllTables = Tables<SceneObject, SolverObject, HistoryObject, ProfileObject
 
 void before_fork() noexcept {
   try {
-    scene_keys();              // no other thread is making its tables ...
-    (void)UnusedKeys(Scene()); // ... or this one
+    scene_keys();               // no other thread is making its tables ...
+    (void)KeyWarnings(Scene()); // ... or this one
   } catch (...) {
     // No memory for them yet.
   }

@@ -23,6 +23,7 @@
 #include "rolling/rolling_contact.hpp"
 #include "scene/profile_surface.hpp"
 #include "scene/solve_scene.hpp"
+#include "scene/surface_cache.hpp"
 #include "scene/vehicle_step.hpp"
 #include "table/contact_table.hpp"
 #include "wrcontact.h"
@@ -32,6 +33,7 @@ namespace wrc {
 struct SceneObject {
   Scene scene;
   std::optional<SceneResult> result;
+  std::shared_ptr<SurfaceCache> surfaces; ///< of its last solutions by itself; none: there was none
   // Made from the result when first requested.
   std::vector<std::string> number_names;
   std::vector<std::pair<std::string, std::string>> texts;

@@ -255,7 +255,10 @@ wrc_status wrc_scene_key(int64_t index, const char** name, const char** default_
 
 wrc_status wrc_scene_solve(wrc_scene* scene) {
   return wrc::guard(scene, [&](wrc::SceneObject& object) {
-    return object.take_result(wrc::solve_scene(object.scene));
+    if (!object.surfaces) {
+      object.surfaces = std::make_shared<wrc::SurfaceCache>(wrc::SurfaceCache::For::one_scene);
+    }
+    return object.take_result(wrc::SceneSolver(object.surfaces).solve(object.scene));
   });
 }
 }

@@ -38,8 +38,11 @@ wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int32_t thre
   }
   try {
     wrc::HandlesInUse<wrc_scene> taken;
-    if (const wrc_status status = wrc::take_all(scenes, count, taken); status != WRC_OK) {
-      return status;
+    std::string error;
+    if (const wrc_status status = wrc::take_all("scenes", scenes, count, taken, error);
+        status != WRC_OK) {
+      taken.clear();
+      return wrc::refuse_batch(scenes, count, statuses, status, error);
     }
     const wrc::SceneSolver shared;
     return wrc::run_all(taken.size(), threads, statuses, [&] {

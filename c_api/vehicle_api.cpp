@@ -132,8 +132,10 @@ wrc_status step(wrc::SolverObject& solver, wrc::SceneObject& scene, const StepAr
 
 /// The histories of a batch; none if there are none.
 wrc_status take_histories(const wrc_step_arguments& arguments, int64_t count,
-                          wrc::HandlesInUse<wrc_history>& taken) {
-  return arguments.histories != nullptr ? wrc::take_all(arguments.histories, count, taken) : WRC_OK;
+                          wrc::HandlesInUse<wrc_history>& taken, std::string& error) {
+  return arguments.histories != nullptr ? wrc::take_all(count > 1 ? "histories" : "history",
+                                                        arguments.histories, count, taken, error)
+                                        : WRC_OK;
 }
 
 } // namespace
@@ -195,9 +197,8 @@ wrc_status wrc_solver_step_with(wrc_solver* solver, wrc_scene* scene, const doub
       wrc::require_pointer(force, "force");
       const StepArrays arrays{position, velocity, force, known_part(arguments)};
       wrc::HandlesInUse<wrc_history> histories;
-      if (const wrc_status status = take_histories(arrays.optional, 1, histories);
+      if (const wrc_status status = take_histories(arrays.optional, 1, histories, posed.error);
           status != WRC_OK) {
-        posed.error = std::string("history: ") + wrc::reason_of(*histories.front());
         return status;
       }
       return step(object, posed, arrays, histories.empty() ? nullptr : &histories.front()->object(),
@@ -239,16 +240,18 @@ wrc_status wrc_step_batch_with(wrc_solver* const* solvers, wrc_scene* const* sce
   try {
     wrc::HandlesInUse<wrc_solver> with;
     wrc::HandlesInUse<wrc_scene> taken;
-    if (const wrc_status status = wrc::take_all(solvers, count, with); status != WRC_OK) {
-      return status;
-    }
-    if (const wrc_status status = wrc::take_all(scenes, count, taken); status != WRC_OK) {
-      return status;
-    }
     wrc::HandlesInUse<wrc_history> histories;
-    if (const wrc_status status = take_histories(arrays.optional, count, histories);
-        status != WRC_OK) {
-      return status;
+    std::string error;
+    wrc_status status = wrc::take_all("solvers", solvers, count, with, error);
+    if (status == WRC_OK) {
+      status = wrc::take_all("scenes", scenes, count, taken, error);
+    }
+    if (status == WRC_OK) {
+      status = take_histories(arrays.optional, count, histories, error);
+    }
+    if (status != WRC_OK) {
+      taken.clear();
+      return wrc::refuse_batch(scenes, count, statuses, status, error);
     }
     return wrc::run_all(taken.size(), threads, statuses, [&] {
       return [&](std::size_t i) {

@@ -168,8 +168,9 @@ module wrcontact_f77_c
   integer, parameter :: rolling_mark = 16, table_mark = 32
   integer, parameter :: history_mark = 64, any_mark = 127
   integer, parameter :: contact_mark = normal_mark + rolling_mark
-  ! Not a handle: marks a program whose reals WRCOPN has refused.
-  integer(c_int64_t), parameter :: refused_reals = 28
+  ! Not a handle, nor a number that a program holds by chance: marks a program whose reals WRCOPN
+  ! has refused.
+  integer(c_int64_t), parameter :: refused_reals = 7311906854028371424_c_int64_t
   ! Where the checksum of a handle begins.
   integer(c_int64_t), parameter :: first_check = 2_c_int64_t**43
   ! The handle last refused since it is of another kind; 0: it has been used as it should since.

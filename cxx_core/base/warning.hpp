@@ -53,11 +53,12 @@ enum class WarningClass : std::uint8_t {
   unlike_materials, ///< of wheel and rail, in creep forces
   torque_exceeded,  ///< friction cannot hold it
   torque_ambiguous, ///< held at two pitch rates
-  unused_key        ///< set, but without effect beside others
+  unused_key,       ///< set, but without effect beside others
+  implausible_input ///< a load, motion or inclination that wheels do not have: units?
 };
 
 /// Names of the classes, in their order.
-inline constexpr std::array<std::string_view, 37> warning_class_names{
+inline constexpr std::array<std::string_view, 38> warning_class_names{
     "profile_dimensions", "profile_origin",
     "profile_flange",     "profile_signs",
     "profile_tilt",       "profile_gap",
@@ -76,8 +77,9 @@ inline constexpr std::array<std::string_view, 37> warning_class_names{
     "pressure",           "creep_accuracy",
     "steady_forces",      "unlike_materials",
     "torque_exceeded",    "torque_ambiguous",
-    "unused_key"};
-static_assert(static_cast<std::size_t>(WarningClass::unused_key) + 1 == warning_class_names.size());
+    "unused_key",         "implausible_input"};
+static_assert(static_cast<std::size_t>(WarningClass::implausible_input) + 1 ==
+              warning_class_names.size());
 
 constexpr std::string_view name_of(WarningClass kind) {
   return warning_class_names[static_cast<std::size_t>(kind)];

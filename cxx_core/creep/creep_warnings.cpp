@@ -1,8 +1,11 @@
 // What to warn of in creep forces that were found.
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "accuracy/element_limit.hpp"
 #include "base/error.hpp"
+#include "creep/constants.hpp"
 #include "creep/creep_elements.hpp"
 #include "creep/creep_forces.hpp"
 #include "records/wheel_result.hpp"
@@ -31,6 +34,47 @@ void warn_of_unlike_bodies(WheelResult& wheel, const CreepRequest& request) {
                                   short_text_of(change) +
                                   " on average, which the results of normal contact do not include",
                               change / request.accuracy});
+  }
+}
+
+/// Of creepages that no wheel has which rolls: given in other units, or by a motion with some.
+void warn_of_creepages(WheelResult& wheel, const CreepRequest& request) {
+  for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
+    const CreepResult& creep = *wheel.patches[i].creep;
+    if (request.motion && (request.time_step > 0.0 || creep.slip_speed < least_rolling_speed)) {
+      continue; // near standstill wheels may slide
+    }
+    const double radius = wheel.rigid_contact.rolling_radius;
+    const auto warn = [&](const std::string& text) {
+      wheel.warnings.push_back({WarningClass::implausible_input, of_patch(wheel, i) + text});
+    };
+    for (const auto& [name, value] : {std::pair("longitudinal", creep.creepages.longitudinal),
+                                      {"lateral", creep.creepages.lateral}}) {
+      if (std::abs(value) > greatest_creepage) {
+        warn(std::string(name) + " creepage " + short_text_of(value) + ": a wheel that rolls has " +
+             "at most " + text_of(greatest_creepage) + "; 0.001 is one per mille");
+      }
+    }
+    if (std::abs(creep.creepages.spin) * radius > greatest_spin) {
+      warn("spin creepage " + short_text_of(creep.creepages.spin) +
+           " 1/mm: a wheel that rolls has " + "at most " + short_text_of(greatest_spin / radius) +
+           " 1/mm, 3 over its radius");
+    }
+  }
+}
+
+/// Of the linear law, which knows no friction.
+void warn_of_linear_law(WheelResult& wheel) {
+  for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
+    const PatchResult& patch = wheel.patches[i];
+    const double force = std::hypot(patch.creep->longitudinal_force, patch.creep->lateral_force);
+    const double greatest = patch.creep->friction * patch.normal_force;
+    if (force > greatest) {
+      wheel.warnings.push_back({WarningClass::model_validity,
+                                of_patch(wheel, i) + "solve.creep = linear: the creep force, " +
+                                    short_text_of(force) + " N, is more than the " +
+                                    short_text_of(greatest) + " N that friction transmits"});
+    }
   }
 }
 
@@ -69,6 +113,10 @@ void warn_of_creep_forces(WheelResult& wheel, const CreepRequest& request) {
     }
   }
   warn_of_unlike_bodies(wheel, request);
+  warn_of_creepages(wheel, request);
+  if (request.model == CreepModel::linear) {
+    warn_of_linear_law(wheel);
+  }
 }
 
 } // namespace wrc

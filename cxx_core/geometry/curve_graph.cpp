@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "profile/crown.hpp"
 
 namespace wrc {
 namespace {
@@ -105,13 +106,12 @@ double CurveGraph::sharpest_ridge(double lateral_first, double lateral_last) con
   return std::asin(std::min(sharpest, 1.0));
 }
 
-double arc_of_highest_point(const Curve& curve) {
-  std::size_t best = 0;
-  for (std::size_t piece = 1; piece < curve.piece_count(); ++piece) {
-    if (curve.at(piece, 0.0).height > curve.at(best, 0.0).height) {
-      best = piece;
-    }
+double arc_of_crown(const Curve& curve) {
+  std::vector<double> heights;
+  for (std::size_t piece = 0; piece < curve.piece_count(); ++piece) {
+    heights.push_back(curve.at(piece, 0.0).height);
   }
+  const std::size_t best = crown_among(heights);
   // The top lies where the tangent turns downwards, next to the highest node.
   double low = curve.starts()[best > 0 ? best - 1 : 0];
   double high = curve.starts()[std::min(best + 1, curve.piece_count())];

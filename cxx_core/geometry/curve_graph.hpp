@@ -59,7 +59,8 @@ private:
   HeightFunction heights_;
 };
 
-/// Arc length of the highest point of a curve (of its first one, if several are equally high).
-double arc_of_highest_point(const Curve& curve);
+/// Arc length of the crown of a curve from the gauge to the field side (profile/crown.hpp), of the
+/// first of several places that are equally high.
+double arc_of_crown(const Curve& curve);
 
 } // namespace wrc

@@ -15,8 +15,27 @@ constexpr double axis_distance = 32.5;
 /// origin: published: gauge corners turn to 87 degrees (EN 13674-1); a crown turns by 19 degrees.
 constexpr double least_face_slope = 1.0;
 
-/// Lateral coordinate of the gauge face at a given height, none if there is no face: the point,
-/// going from the top towards the gauge side, where the curve first falls below the height.
+/// Least lateral coordinate of a curve between two arc lengths: where it turns back, or at an end.
+double least_lateral_of(const Curve& curve, double from, double to) {
+  double least = std::min(curve.at(from).lateral, curve.at(to).lateral);
+  for (std::size_t piece = curve.piece_at(from); piece <= curve.piece_at(to); ++piece) {
+    double low = std::max(curve.starts()[piece], from);
+    double high = std::min(curve.starts()[piece + 1], to);
+    if (!(curve.at(low).tangent_lateral < 0.0 && curve.at(high).tangent_lateral >= 0.0)) {
+      continue;
+    }
+    for (double middle = 0.5 * (low + high); middle > low && middle < high;
+         middle = 0.5 * (low + high)) {
+      (curve.at(middle).tangent_lateral < 0.0 ? low : high) = middle;
+    }
+    least = std::min(least, curve.at(low).lateral);
+  }
+  return least;
+}
+
+/// Lateral coordinate of the gauge face, none if there is no face: the least one between the top
+/// and the point, going from there towards the gauge side, where the curve first falls below the
+/// height. Gauges are the least distances within this depth (EN 13848-1), and worn rails have lips.
 std::optional<double> lateral_of_gauge_face(const Curve& curve, double top_arc, double height,
                                             double gauge_height) {
   const std::size_t top_piece = curve.piece_at(top_arc);
@@ -29,7 +48,8 @@ std::optional<double> lateral_of_gauge_face(const Curve& curve, double top_arc, 
     while (true) {
       const double middle = 0.5 * (low + high);
       if (middle <= low || middle >= high) {
-        return curve.at(piece, middle).lateral;
+        return std::min(curve.at(piece, middle).lateral,
+                        least_lateral_of(curve, curve.starts()[piece] + middle, top_arc));
       }
       (curve.at(piece, middle).height <= height ? low : high) = middle;
     }
@@ -46,7 +66,7 @@ std::optional<double> lateral_of_gauge_face(const Curve& curve, double top_arc, 
 
 RailSurface RailSurface::place(const Curve& profile, const TrackDimensions& track) {
   const Curve inclined = profile.moved(track.inclination, 0.0, 0.0);
-  const double top_arc = arc_of_highest_point(inclined);
+  const double top_arc = arc_of_crown(inclined);
   if (track.origin) {
     CurveGraph placed(profile.without_steps().moved(track.inclination, *track.origin, 0.0),
                       top_arc);
@@ -114,7 +134,7 @@ RailSurface RailSurface::posed(const RailDisplacement& displacement, double alon
   const double height_shift = height_shift_ + displacement.height;
   if (slices_ != nullptr) {
     Curve section = slices_->section(along).moved(angle, lateral_shift, height_shift);
-    const double top = arc_of_highest_point(section);
+    const double top = arc_of_crown(section);
     RailSurface surface{
         CurveGraph(std::move(section), top), nominal_, top, angle, lateral_shift, height_shift};
     surface.slices_ = slices_;

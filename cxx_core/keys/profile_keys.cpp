@@ -33,9 +33,10 @@ Key profile_key(KeyDescription description, ProfileKind kind, ProfileChoice Scen
     const std::string& name = ((scene.*sides.front()).*choice).name;
     return name == ((scene.*sides.back()).*choice).name ? KeyValue(name) : KeyValue();
   };
-  key.set_text = [set](Scene& scene, std::string_view name) {
+  key.set_text = [set, kind](Scene& scene, std::string_view name) {
     if (!name.empty()) {
-      set(scene, name, nullptr);
+      const std::string_view standard = standard_name(name, kind);
+      set(scene, standard.empty() ? name : standard, nullptr);
     }
     return !name.empty();
   };

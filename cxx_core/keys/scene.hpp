@@ -126,7 +126,7 @@ struct Scene : WheelOptions {
   int threads = 1;
 
   /// Keys that were set, other than to their default; which of them have no effect beside others is
-  /// in keys/unused_keys.hpp.
+  /// in keys/key_warnings.hpp.
   KeySet given;
 
   Scene();

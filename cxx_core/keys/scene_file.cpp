@@ -46,8 +46,7 @@ std::string toml_of(const std::vector<double>& values) {
 }
 
 bool is_built_in(const std::string& name, ProfileKind kind) {
-  const auto standard = standard_profile_names(kind);
-  return std::find(standard.begin(), standard.end(), name) != standard.end();
+  return !standard_name(name, kind).empty();
 }
 
 /// The name under which a profile is found again from anywhere.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "measured/constants.hpp"
+#include "measured/profile_shape.hpp"
 
 extern "C" {
 /// LAPACK: solves A x = b with A symmetric positive definite.
@@ -121,6 +122,7 @@ bool improve(Alignment& alignment, const Nominal& nominal, std::span<const Posit
   if (counted < least_aligned_points) {
     return false;
   }
+  alignment.beside = static_cast<double>(beside) / static_cast<double>(points.size());
   alignment.share = static_cast<double>(counted) / static_cast<double>(beside);
   alignment.deviation = std::sqrt(squares / static_cast<double>(counted));
   const std::optional<Vector> step = solution_of(a, b);
@@ -141,7 +143,8 @@ Position RigidMotion::of(const Position& point) const {
   return {c * point[0] - s * point[1] + shift[0], s * point[0] + c * point[1] + shift[1]};
 }
 
-std::optional<Alignment> alignment_to(const Curve& nominal, std::span<const Position> points) {
+std::optional<Alignment> alignment_to(const Curve& nominal, std::span<const Position> points,
+                                      const RigidMotion& start) {
   std::vector<Position> some;
   const std::size_t every = 1 + points.size() / aligned_points;
   for (std::size_t i = 0; i < points.size(); i += every) {
@@ -149,6 +152,7 @@ std::optional<Alignment> alignment_to(const Curve& nominal, std::span<const Posi
   }
   const Nominal feet(nominal);
   Alignment best;
+  best.motion = start;
   for (const double bound : alignment_bounds) {
     Alignment next = best;
     next.bound = bound;
@@ -162,6 +166,41 @@ std::optional<Alignment> alignment_to(const Curve& nominal, std::span<const Posi
       return bound == alignment_bounds.front() ? std::nullopt : std::optional(best);
     }
     best = next;
+  }
+  return best;
+}
+
+std::optional<Alignment> alignment_from_afar(const Curve& nominal,
+                                             std::span<const Position> points) {
+  std::vector<Position> places;
+  for (const double arc : nominal.starts()) {
+    const CurvePoint at = nominal.at(arc);
+    places.push_back({at.lateral, at.height});
+  }
+  const auto highest = [](std::span<const Position> of) {
+    return *std::ranges::max_element(of, {}, [](const Position& point) { return point[1]; });
+  };
+  const auto middle = [](std::span<const Position> of) {
+    const Position lateral = reading::extent_of(of, 0);
+    const Position height = reading::extent_of(of, 1);
+    return Position{0.5 * (lateral[0] + lateral[1]), 0.5 * (height[0] + height[1])};
+  };
+  std::optional<Alignment> best;
+  for (const double turn : far_turns) {
+    std::vector<Position> turned;
+    for (const Position& point : points) {
+      turned.push_back(RigidMotion{turn, {}}.of(point));
+    }
+    for (const bool by_top : {true, false}) {
+      const Position from = by_top ? highest(turned) : middle(turned);
+      const Position to = by_top ? highest(places) : middle(places);
+      const auto found = alignment_to(nominal, points, {turn, {to[0] - from[0], to[1] - from[1]}});
+      if (found && found->beside >= least_beside &&
+          (!best || found->bound < best->bound ||
+           (found->bound == best->bound && found->share > best->share))) {
+        best = found;
+      }
+    }
   }
   return best;
 }

@@ -29,6 +29,17 @@ inline constexpr double farthest_neighbour = 10.0;
 /// from the rest, is this many times the median distance, the line does not go on. origin:
 /// reasoned: a missing point makes twice the distance.
 inline constexpr double farthest_in_spacings = 5.0;
+/// Points are out of order if chords longer than the first and than farthest_in_spacings become
+/// shorter in all by the second in an order from each point to the nearest.
+/// origin: reasoned: branches of a lip are a mm apart and jump at every second point, blocks of
+/// scans by tens of mm, and none of these are left; a gap stays as long, and an outlier then jumps
+/// from the end.
+inline constexpr double least_long_chord = 0.5;
+inline constexpr double ordered_share = 0.1;
+/// Chords at whose ends an order begins, besides the first point, and the most points for it.
+/// origin: bound: of work; a block has two ends.
+inline constexpr std::size_t most_begins = 3;
+inline constexpr std::size_t most_ordered = 5000;
 /// Ends of an outline are so close, in median distances and as a fraction of its length, that
 /// another point would stand between them if it was open. origin: reasoned: measurements end where
 /// they began or 70 mm away.
@@ -171,6 +182,12 @@ inline constexpr double least_aligned_share = 0.5;
 /// Half of the points lie within this distance of their nominal profile; else a warning.
 /// origin: reasoned: wear leaves half of a wheel nearer than that.
 inline constexpr double usual_bound = 1.0;
+/// Turns from which points far from their place are aligned, and the share of them that must then
+/// be beside the nominal.
+/// origin: reasoned: alignments find 5 degrees by themselves, instruments stand within 30; half a
+/// profile may be measured.
+inline constexpr std::array<double, 7> far_turns{0.0, 0.15, -0.15, 0.3, -0.3, 0.45, -0.45};
+inline constexpr double least_beside = 0.5;
 /// Points that are looked at, and distance of the nominal's points among which feet begin.
 /// origin: bound: others tell nothing new about a rigid motion.
 inline constexpr std::size_t aligned_points = 400;

@@ -62,7 +62,7 @@ void tell(bool touched, WarningClass kind, const std::string& text, Log& log) {
 Part contact_part(std::span<const Position> points, ProfileKind kind) {
   Part part;
   if (kind == ProfileKind::rail) {
-    part.least_height = extent_of(points, 1)[1] - plausible::contact_depth;
+    part.least_height = crown_height_of(points) - plausible::contact_depth;
     return part;
   }
   const std::optional<double> tape = height_at_taping_line(points);
@@ -233,7 +233,7 @@ void check_rail(std::span<const Position> points, Log& log) {
                                               fixed_text(head->bottom_width) +
                                               " mm at its upper one; state mirror_height");
   }
-  check(plausible::crown_height, extent_of(points, 1)[1], log);
+  check(plausible::crown_height, crown_height_of(points), log);
 }
 
 /// Standard deviation of the points from a smooth line, mm, by the second differences of their

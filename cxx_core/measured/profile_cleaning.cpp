@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/error.hpp"
 #include "measured/constants.hpp"
@@ -93,7 +94,77 @@ void remove_end(RawProfile& raw, bool last, double spacing, Log& log) {
   remove(raw, last ? n - 1 : 0, 1);
 }
 
+/// The chords that are longer than those of a line of points.
+struct LongChords {
+  std::vector<std::size_t> ends; ///< of each the point where it begins
+  double length = 0.0;           ///< of all
+};
+
+LongChords long_chords_of(std::span<const Position> points, double limit) {
+  LongChords found;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    if (const double chord = distance_between(points[i], points[i + 1]); chord > limit) {
+      found.ends.push_back(i);
+      found.length += chord;
+    }
+  }
+  return found;
+}
+
+/// From one point to the nearest that is left, and so on.
+std::vector<Position> nearest_from(std::size_t first, std::vector<Position> left) {
+  std::vector<Position> ordered;
+  ordered.reserve(left.size());
+  for (std::size_t next = first; !left.empty();) {
+    ordered.push_back(left[next]);
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(next)); // equal distances: the first
+    double least = HUGE_VAL;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      const Position off{left[i][0] - ordered.back()[0], left[i][1] - ordered.back()[1]};
+      if (const double square = off[0] * off[0] + off[1] * off[1]; square < least) {
+        least = square;
+        next = i;
+      }
+    }
+  }
+  return ordered;
+}
+
 } // namespace
+
+void order_points(RawProfile& raw, Log& log) {
+  const double limit =
+      std::max(least_long_chord, farthest_in_spacings * median_spacing(raw.points));
+  if (raw.points.size() < 4) {
+    return;
+  }
+  // Without single points off the ends.
+  const LongChords given =
+      long_chords_of(std::span(raw.points).subspan(1, raw.points.size() - 2), limit);
+  if (given.ends.empty() || raw.points.size() > most_ordered) {
+    return;
+  }
+  std::vector<std::size_t> begins{0};
+  for (std::size_t i = 0; i < std::min(given.ends.size(), most_begins); ++i) {
+    begins.push_back(given.ends[i] + 1); // of all points
+    begins.push_back(given.ends[i] + 2);
+  }
+  std::vector<Position> best;
+  double least = ordered_share * given.length;
+  for (const std::size_t begin : begins) {
+    std::vector<Position> ordered = nearest_from(begin, raw.points);
+    if (const double length = long_chords_of(ordered, limit).length; length < least) {
+      least = length;
+      best = std::move(ordered);
+    }
+  }
+  if (!best.empty()) {
+    raw.points = std::move(best);
+    log.guess("points put in order, each the nearest one to that before: " +
+                  fixed_text(given.length, 0) + " mm of jumps became " + fixed_text(least, 0),
+              "order the points along the profile");
+  }
+}
 
 void open_outline(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) {
   std::vector<Position>& points = raw.points;
@@ -182,7 +253,8 @@ void cut_ends(RawProfile& raw, ProfileKind kind, Log& log) {
   std::vector<Position>& points = raw.points;
   const double depth =
       kind == ProfileKind::rail ? plausible::depth_of_rail : plausible::depth_of_wheel;
-  const double least = extent_of(points, 1)[1] - depth;
+  const double least =
+      (kind == ProfileKind::rail ? crown_height_of(points) : extent_of(points, 1)[1]) - depth;
   const auto is_deep = [least](const Position& point) { return point[1] < least; };
   const auto first = std::find_if_not(points.begin(), points.end(), is_deep);
   const auto last = std::find_if_not(points.rbegin(), points.rend(), is_deep).base();

@@ -10,6 +10,11 @@
 
 namespace wrc::reading {
 
+/// Puts points in the order of a line, each the nearest one to that before, where this leaves out
+/// most of the long ways between them: of scans one behind the other, and of an overhang sorted by
+/// lateral.
+void order_points(RawProfile& raw, Log& log);
+
 /// Opens an outline whose end meets its begin: at its longest side, or that of a whole rail at its
 /// foot. Refuses other closed outlines, whose running surface cannot be determined.
 void open_outline(RawProfile& raw, std::optional<ProfileKind> kind, Log& log);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "measured/plausible_shapes.hpp"
+#include "profile/crown.hpp"
 
 namespace wrc::reading {
 namespace {
@@ -74,6 +75,14 @@ Position extent_of(std::span<const Position> points, std::size_t coordinate) {
       points.begin(), points.end(),
       [coordinate](const Position& a, const Position& b) { return a[coordinate] < b[coordinate]; });
   return {(*least)[coordinate], (*greatest)[coordinate]};
+}
+
+double crown_height_of(std::span<const Position> points) {
+  std::vector<double> heights;
+  for (const Position& point : points) {
+    heights.push_back(point[1]);
+  }
+  return heights[crown_among(heights)];
 }
 
 double distance_between(const Position& a, const Position& b) {

@@ -47,6 +47,8 @@ std::optional<double> disc_radius_of(std::span<const Position> points);
 
 /// Least and greatest value of a coordinate.
 Position extent_of(std::span<const Position> points, std::size_t coordinate);
+/// Height of a rail's crown, from the gauge to the field side.
+double crown_height_of(std::span<const Position> points);
 double distance_between(const Position& a, const Position& b);
 double chord_length(std::span<const Position> points);
 /// The median distance of a point from the previous one.

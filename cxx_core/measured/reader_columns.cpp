@@ -11,9 +11,11 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/lower_case.hpp"
+#include "measured/plausible_shapes.hpp"
 #include "measured/reader_formats.hpp"
 #include "measured/readers.hpp"
 #include "profile/limits.hpp"
@@ -118,23 +120,6 @@ struct Table {
     return numbers[row * columns + column];
   }
 };
-
-/// The cells of a row: words, or what stands between separators.
-Words cells_of(std::string_view row, bool may_be_empty) {
-  if (!may_be_empty) {
-    return words_of(row, " ;");
-  }
-  Words cells;
-  for (std::size_t begin = 0; begin <= row.size();) {
-    const std::size_t end = std::min(row.find(';', begin), row.size());
-    if (cells.count < Words::max_words) {
-      cells.word[cells.count] = trimmed(row.substr(begin, end - begin));
-    }
-    ++cells.count;
-    begin = end + 1;
-  }
-  return cells;
-}
 
 bool is_empty_or_missing(std::string_view cell) {
   return cell.empty() || is_missing(cell);
@@ -337,6 +322,29 @@ bool counts_rows(const Table& table, std::size_t column) {
   return true;
 }
 
+/// Greatest less least number of a column; missing ones do not count.
+double extent_of_column(const Table& table, std::size_t column) {
+  double least = HUGE_VAL;
+  double greatest = -HUGE_VAL;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (const double number = table.at(row, column); number != missing) {
+      least = std::min(least, number);
+      greatest = std::max(greatest, number);
+    }
+  }
+  return greatest - least;
+}
+
+/// Whether the first column counts the rows, and is no lateral in whole mm beside one that has not
+/// the width of a profile in any unit.
+bool is_count(const Table& table, const std::vector<std::size_t>& left) {
+  const double other = extent_of_column(table, left[1]);
+  return counts_rows(table, left[0]) &&
+         (!plausible::width.holds(extent_of_column(table, left[0])) ||
+          plausible::width.holds(other) || plausible::width.holds(10.0 * other) ||
+          plausible::width.holds(25.4 * other) || plausible::width.holds(1000.0 * other));
+}
+
 /// Missing numbers do not count.
 bool is_constant(const Table& table, std::size_t column) {
   std::optional<double> constant;
@@ -403,7 +411,7 @@ Pair unnamed_columns(const Table& table, Log& log) {
       ++place;
     }
   }
-  if (left.size() > 2 && table.rows() > 1 && counts_rows(table, left[0])) {
+  if (left.size() > 2 && table.rows() > 1 && is_count(table, left)) {
     ignore(0, "counts the rows");
   }
   if (left.size() > 2) {

@@ -18,6 +18,27 @@ constexpr std::array<std::string_view, 20> missing_words{
     "n/a",     "null",    "none",  "#n/a",     "#na",       "#nv",     "#num!",
     "#value!", "#div/0!", "#ref!", "#null!",   "#zahl!",    "#wert!"};
 
+/// Fortran writes equal numbers once, as 2*0.0.
+Words repeated(const Words& words) {
+  Words all;
+  for (std::size_t i = 0; i < std::min(words.count, Words::max_words); ++i) {
+    std::string_view word = words.word[i];
+    std::size_t count = 1;
+    const std::size_t star = word.find('*');
+    if (star == 1 && word[0] >= '1' && word[0] <= '9' && number_of(word.substr(2))) {
+      count = static_cast<std::size_t>(word[0] - '0');
+      word.remove_prefix(2);
+    }
+    for (; count > 0; --count, ++all.count) {
+      if (all.count < Words::max_words) {
+        all.word[all.count] = word;
+      }
+    }
+  }
+  all.count += words.count - std::min(words.count, Words::max_words);
+  return all;
+}
+
 } // namespace
 
 void Log::refuse(const std::string& text) const {
@@ -107,6 +128,22 @@ Words words_of(std::string_view line, std::string_view separators) {
   return words;
 }
 
+Words cells_of(std::string_view row, bool may_be_empty) {
+  if (!may_be_empty) {
+    return repeated(words_of(row, " ;"));
+  }
+  Words cells;
+  for (std::size_t begin = 0; begin <= row.size();) {
+    const std::size_t end = std::min(row.find(';', begin), row.size());
+    if (cells.count < Words::max_words) {
+      cells.word[cells.count] = trimmed(row.substr(begin, end - begin));
+    }
+    ++cells.count;
+    begin = end + 1;
+  }
+  return cells;
+}
+
 std::string plain_row(std::string_view line, char separator) {
   const bool decimal_commas = line.find_first_of(" \t;") != std::string_view::npos;
   const auto is_digit = [line](std::size_t i) {
@@ -157,11 +194,17 @@ std::optional<double> number_of(std::string_view word) {
   if (word.starts_with('+') && !word.starts_with("+-")) {
     word.remove_prefix(1);
   }
-  std::string with_e; // of 1.5D+01
+  std::string with_e; // of 1.5D+01, and of 0.15-101, for which Fortran has no room for the letter
   if (const std::size_t d = word.find_first_of("dD");
       d != std::string_view::npos && d > 0 && word.size() <= 40) {
     with_e = word;
     with_e[d] = 'e';
+    word = with_e;
+  } else if (const std::size_t sign = word.size() - std::min<std::size_t>(word.size(), 4);
+             sign > 0 && (word[sign] == '-' || word[sign] == '+') && word.size() <= 40 &&
+             word.find_first_not_of("0123456789.", 1) == sign && word.find('.') < sign) {
+    with_e = word;
+    with_e.insert(sign, 1, 'e');
     word = with_e;
   }
   double value = 0.0;

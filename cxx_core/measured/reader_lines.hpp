@@ -91,6 +91,9 @@ struct Words {
   std::size_t count = 0;
 };
 Words words_of(std::string_view line, std::string_view separators);
+/// The cells of a row: words, of which 2*0.0 is two, or if cells may be empty, what stands between
+/// semicolons.
+Words cells_of(std::string_view row, bool may_be_empty);
 
 /// A row of numbers with points and blanks: quotes go, separators ; , and tab become `separator`,
 /// and a comma between digits becomes a decimal point where something else separates the numbers.
@@ -103,8 +106,8 @@ bool is_missing(std::string_view word);
 /// there is none.
 std::size_t comment_of(std::string_view line);
 
-/// The number a word stands for, also with Fortran's exponent D; none if it is not one. May be
-/// infinite or not a number.
+/// The number a word stands for, also with Fortran's exponents D+01 and -101; none if it is not
+/// one. May be infinite or not a number.
 std::optional<double> number_of(std::string_view word);
 /// The finite number a word stands for; refuses anything else.
 double finite_number(std::string_view word, std::size_t line, const Log& log);

@@ -195,10 +195,8 @@ std::optional<Profile> nominal_of(const ReadOptions& options, const Log& log) {
     return std::nullopt;
   }
   for (const ProfileKind kind : {ProfileKind::wheel, ProfileKind::rail}) {
-    for (const std::string_view known : standard_profile_names(kind)) {
-      if (known == name) {
-        return standard_profile(name);
-      }
+    if (!standard_name(name, kind).empty()) {
+      return standard_profile(name);
     }
   }
   ReadOptions plain;

@@ -308,7 +308,11 @@ void align_points(RawProfile& raw, ProfileKind kind, const Profile& nominal, Log
     log.refuse("align_to: " + nominal.name + " is a " + std::string(name_of(nominal.kind)) +
                ", must be a " + std::string(name_of(kind)));
   }
-  const std::optional<Alignment> found = alignment_to(nominal.curve, raw.points);
+  std::optional<Alignment> found = alignment_to(nominal.curve, raw.points);
+  if (!found || found->bound > usual_bound) {
+    const std::optional<Alignment> far = alignment_from_afar(nominal.curve, raw.points);
+    found = far && (!found || far->bound < found->bound) ? far : found;
+  }
   if (!found) {
     log.refuse("cannot be aligned to " + nominal.name +
                ": too few points beside it, or a shape that shows no rotation");
@@ -361,6 +365,7 @@ Settled settle(RawProfile& raw, const ReadOptions& options, Log& log, const Prof
   settle_units(raw, stated, options, log);
   open_outline(raw, stated, log);
   remove_doubles(raw, options.least_point_distance, log);
+  order_points(raw, log);
   remove_outliers(raw, log);
   remove_doubles(raw, options.least_point_distance, log); // that outliers were between
   if (points.size() < ReadLimits::min_points) {

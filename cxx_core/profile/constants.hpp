@@ -71,4 +71,11 @@ inline constexpr double least_excess = 0.05;
 /// least_excess or more.
 inline constexpr double same_line = 0.1 * least_excess;
 
+/// Depth of the groove between a guard rail and the head of its rail, and least height of the guard
+/// rail above that head, mm.
+/// origin: reasoned: grooves are deeper than flanges are high, 28; guard rails stand 20 to 60 above
+/// the head, blades of switches a few.
+inline constexpr double least_groove = 20.0;
+inline constexpr double least_guard_height = 8.0;
+
 } // namespace wrc

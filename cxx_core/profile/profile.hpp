@@ -52,7 +52,12 @@ struct Profile {
 /// Names of the built-in profiles, in the order in which they are listed for users.
 std::vector<std::string_view> standard_profile_names(ProfileKind kind);
 
-/// A built-in profile. Throws Error(unknown_name), listing the permitted names.
+/// The name of the built-in profile that is meant: in capitals or not, a rail also by its name
+/// before EN 13674-1 (UIC60, S49). Empty if there is none of that kind.
+std::string_view standard_name(std::string_view name, ProfileKind kind);
+
+/// A built-in profile, by any of its names. Throws Error(unknown_name), listing the permitted
+/// names.
 Profile standard_profile(std::string_view name);
 
 } // namespace wrc

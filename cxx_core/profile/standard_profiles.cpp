@@ -1,15 +1,33 @@
 /// Built-in profiles: from the generated tables to curves. Frame and units of profile.hpp.
 #include "profile/standard_profiles.hpp"
 
+#include <algorithm>
+#include <array>
+#include <string>
+
 #include "base/error.hpp"
+#include "base/lower_case.hpp"
 #include "profile/standard_table.hpp"
 
 namespace wrc {
 namespace {
 
+struct OldName {
+  std::string_view old;
+  std::string_view name;
+};
+/// origin: published: EN 13674-1, Annex A.
+constexpr std::array<OldName, 7> old_names{{{"uic60", "60E1"},
+                                            {"uic54", "54E1"},
+                                            {"uic54e", "54E2"},
+                                            {"s54", "54E3"},
+                                            {"s49", "49E1"},
+                                            {"bs113a", "56E1"},
+                                            {"u50", "50E6"}}};
+
 const TableProfile& entry_of(std::string_view name) {
   for (const TableProfile& entry : standard_table()) {
-    if (entry.name == name) {
+    if (entry.name == standard_name(name, entry.kind)) {
       return entry;
     }
   }
@@ -59,6 +77,18 @@ std::vector<std::string_view> standard_profile_names(ProfileKind kind) {
     }
   }
   return names;
+}
+
+std::string_view standard_name(std::string_view name, ProfileKind kind) {
+  const std::string wanted = lower_case(name);
+  const auto* const old = std::find_if(old_names.begin(), old_names.end(),
+                                       [&](const OldName& each) { return each.old == wanted; });
+  for (const std::string_view known : standard_profile_names(kind)) {
+    if (old != old_names.end() ? known == old->name : lower_case(known) == wanted) {
+      return known;
+    }
+  }
+  return {};
 }
 
 Profile standard_profile(std::string_view name) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "accuracy/constants.hpp"
 #include "base/error.hpp"
 #include "measured/constants.hpp"
 #include "scene/number_tables.hpp"

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "keys/key_warnings.hpp"
 #include "keys/scene.hpp"
-#include "keys/unused_keys.hpp"
 #include "scene/noisy_scene.hpp"
 #include "scene/profile_warnings.hpp"
 #include "scene/scene_wheel.hpp"
@@ -43,7 +43,7 @@ struct SceneResult {
   std::optional<SceneWheel> right;
   StageMilliseconds time;
   std::vector<std::string> corrections;  ///< made to profiles read from files
-  UnusedKeys unused_keys;                ///< of the scene
+  KeyWarnings key_warnings;              ///< of the scene
   ProfileWarnings profile_warnings;      ///< of the profiles it was solved with
   std::optional<NoisyScene> noise;       ///< with profiles of points
   std::optional<SceneSpread> spread;     ///< once it was requested, see spread_of

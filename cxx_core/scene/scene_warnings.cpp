@@ -16,14 +16,14 @@ void append(const std::optional<SceneWheel>& wheel, const std::string& side, War
 } // namespace
 
 std::size_t warning_count(const SceneResult& result) {
-  return result.unused_keys.count() + result.profile_warnings.count() +
+  return result.key_warnings.count() + result.profile_warnings.count() +
          (result.left ? result.left->warnings.size() : 0) +
          (result.right ? result.right->warnings.size() : 0);
 }
 
 Warnings all_warnings(const SceneResult& result) {
   Warnings all;
-  result.unused_keys.append_to(all);
+  result.key_warnings.append_to(all);
   result.profile_warnings.append_to(all);
   append(result.left, "left", all);
   append(result.right, "right", all);

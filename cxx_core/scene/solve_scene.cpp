@@ -292,7 +292,7 @@ WheelNumbers totals_of(const SceneResult& result) {
 
 /// Kept, and shared between threads.
 struct SceneSolver::Shared {
-  SurfaceCache surfaces;
+  std::shared_ptr<SurfaceCache> surfaces = std::make_shared<SurfaceCache>();
   LinePlans estimated;
   LinePlans measured{PlannerRigor::measure};
 };
@@ -424,9 +424,9 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   const Stopwatch total;
   SceneResult result;
   const ModelChoice model = choose_model(scene);
-  const SceneSurfaces surfaces = shared->surfaces.get(scene);
+  const SceneSurfaces surfaces = shared->surfaces->get(scene);
   prepare_solvers(scene);
-  result.unused_keys = UnusedKeys(scene);
+  result.key_warnings = KeyWarnings(scene);
   result.corrections = surfaces.corrections;
   result.profile_warnings = surfaces.warnings;
   result.time.profile = surfaces.profile_milliseconds;
@@ -449,6 +449,9 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
 }
 
 SceneSolver::SceneSolver() : state_(new State) {}
+SceneSolver::SceneSolver(std::shared_ptr<SurfaceCache> surfaces) : SceneSolver() {
+  state_->shared->surfaces = std::move(surfaces);
+}
 SceneSolver::~SceneSolver() = default;
 SceneSolver::SceneSolver(SceneSolver&&) noexcept = default;
 SceneSolver& SceneSolver::operator=(SceneSolver&&) noexcept = default;

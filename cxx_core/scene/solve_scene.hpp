@@ -29,6 +29,8 @@ ShearConstants shear_constants_of(const Scene& scene, const SceneSide& side);
 /// A scene by itself: a pure function.
 SceneResult solve_scene(const Scene& scene);
 
+class SurfaceCache; // scene/surface_cache.hpp
+
 /// Solves scenes one after the other and keeps what saves time and changes no bit of a result:
 /// profiles, surfaces, influence coefficients, transform plans and memory. A profile read from a
 /// file is kept by its name: forget() after the file has changed. Thread rule: one object serves
@@ -36,6 +38,8 @@ SceneResult solve_scene(const Scene& scene);
 class SceneSolver {
 public:
   SceneSolver();
+  /// With surfaces that outlive it.
+  explicit SceneSolver(std::shared_ptr<SurfaceCache> surfaces);
   ~SceneSolver();
   SceneSolver(SceneSolver&&) noexcept;
   SceneSolver& operator=(SceneSolver&&) noexcept;

@@ -27,8 +27,8 @@ namespace {
     text += known;
   }
   const bool is_wheel = kind == ProfileKind::wheel;
-  const auto others = standard_profile_names(is_wheel ? ProfileKind::rail : ProfileKind::wheel);
-  const bool is_other = std::find(others.begin(), others.end(), name) != others.end();
+  const bool is_other =
+      !standard_name(name, is_wheel ? ProfileKind::rail : ProfileKind::wheel).empty();
   const std::string reason =
       is_other ? name + " is a built-in " + (is_wheel ? "rail" : "wheel") : error.what();
   throw Error(ErrorCode::unknown_name, text + " (" + reason + ")");
@@ -203,8 +203,7 @@ Profile load_profile(const SurfaceSource<Dimensions>& source, ProfileKind kind,
     refuse_smoothing("a profile given by the program");
     return *choice.given;
   }
-  const auto names = standard_profile_names(kind);
-  if (std::find(names.begin(), names.end(), choice.name) != names.end()) {
+  if (!standard_name(choice.name, kind).empty()) {
     refuse_smoothing("a built-in profile, which is exact");
     return standard_profile(choice.name);
   }
@@ -226,16 +225,32 @@ void warn_of_place(const RailSurface& surface, const TrackDimensions& track, War
 }
 void warn_of_place(const WheelSurface&, const WheelsetDimensions&, Warnings&) {}
 
+/// Of the files of a profile; one that cannot be seen has size 0.
+std::vector<FileStamp> stamps_of(const ProfileChoice& choice, const ProfilePlacement& placement) {
+  std::vector<FileStamp> stamps;
+  for (const std::string& name : {choice.name, placement.align_to}) {
+    std::error_code unseen;
+    FileStamp stamp{std::filesystem::file_size(name, unseen), {}};
+    if (unseen) {
+      stamp.size = 0;
+    } else {
+      stamp.time = std::filesystem::last_write_time(name, unseen);
+    }
+    stamps.push_back(stamp);
+  }
+  return stamps;
+}
+
 /// One of the two surfaces; corrections, warnings and time are added to those of the scene.
 template <class Surface, class Dimensions>
-std::shared_ptr<const Surface> get_one(RecentSurfaces<Surface, Dimensions>& kept,
-                                       const SurfaceSource<Dimensions>& source, ProfileKind kind,
-                                       const std::string& key, SideChoice side, bool is_solved,
-                                       NoisyScene::Doubt& doubt, SceneSurfaces& all) {
-  auto entry = kept.get(source, [&] {
+std::shared_ptr<const Surface>
+get_one(RecentSurfaces<Surface, Dimensions>& kept, bool watches_files,
+        const SurfaceSource<Dimensions>& source, ProfileKind kind, const std::string& key,
+        SideChoice side, bool is_solved, NoisyScene::Doubt& doubt, SceneSurfaces& all) {
+  const auto make = [&] {
     const Stopwatch stopwatch;
     check_waves(source.profile.harmonics, radius_of(source.dimensions));
-    typename RecentSurfaces<Surface, Dimensions>::Entry made{source, nullptr, {}, nullptr, {}};
+    typename RecentSurfaces<Surface, Dimensions>::Entry made{source, nullptr, {}, nullptr, {}, {}};
     if (is_sliced(source.profile)) {
       Warnings warnings;
       made.surface = surface_of_slices<Surface>(source, kind, key, made.corrections, warnings);
@@ -254,7 +269,12 @@ std::shared_ptr<const Surface> get_one(RecentSurfaces<Surface, Dimensions>& kept
       made.warnings = std::make_shared<const Warnings>(std::move(profile.warnings));
     }
     return made;
-  });
+  };
+  const bool has_file = !source.profile.given && standard_name(source.profile.name, kind).empty();
+  auto entry = !watches_files || !has_file ? kept.get(source, {}, make)
+               : is_sliced(source.profile)
+                   ? make()
+                   : kept.get(source, stamps_of(source.profile, source.placement), make);
   for (const std::string& correction : entry.corrections) { // both sides may have the same
     if (std::find(all.corrections.begin(), all.corrections.end(), correction) ==
         all.corrections.end()) {
@@ -285,11 +305,11 @@ SceneSurfaces SurfaceCache::get(const Scene& scene) {
     }
     SideSurfaces found;
     found.wheel = get_one(
-        wheels_,
+        wheels_, watches_files_,
         {wheel, {scene.back_to_back, scene.tape_offset, side.radius}, scene.wheel_placement},
         ProfileKind::wheel, key(&SceneSide::wheel, "wheelset.", "wheel"), which, is_solved,
         found.wheel_doubt, surfaces);
-    found.rail = get_one(rails_, {side.rail, scene.track}, ProfileKind::rail,
+    found.rail = get_one(rails_, watches_files_, {side.rail, scene.track}, ProfileKind::rail,
                          key(&SceneSide::rail, "track.", "rail"), which, is_solved,
                          found.rail_doubt, surfaces);
     if (is_solved || !scene.roll) { // without a roll both wheels are needed

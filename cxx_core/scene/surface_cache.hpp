@@ -1,12 +1,15 @@
 /// Surfaces of the wheel and the rail a scene names, kept for the scenes that follow.
 ///
 /// A profile is one given by the program, or else a built-in one of that name, or else a file of
-/// that name. A file is not read again while its surface is kept. Rails are kept where the track's
-/// dimensions put them, and displaced from there for each scene.
-/// Thread rule: any number of threads; one makes a surface, the others wait for it.
+/// that name. A file is not read again while its surface is kept, or, if the cache watches files,
+/// while its size and time stay. Rails are kept where the track's dimensions put them, and
+/// displaced from there for each scene. Thread rule: any number of threads; one makes a surface,
+/// the others wait for it.
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -47,6 +50,13 @@ template <class Dimensions> struct SurfaceSource {
   bool operator==(const SurfaceSource&) const = default;
 };
 
+/// By which a file that has changed is found, without reading it.
+struct FileStamp {
+  std::uintmax_t size = 0;
+  std::filesystem::file_time_type time{};
+  bool operator==(const FileStamp&) const = default;
+};
+
 /// The surfaces of one kind that were last used, with the corrections their files needed and the
 /// warnings of their profiles.
 template <class Surface, class Dimensions> class RecentSurfaces {
@@ -57,36 +67,54 @@ public:
     std::vector<std::string> corrections;
     std::shared_ptr<const Warnings> warnings; ///< none: NULL
     NoisyScene::Doubt doubt;
+    std::vector<FileStamp> files{}; ///< of a cache that watches them, as they were before
   };
 
-  template <class Make> Entry get(const SurfaceSource<Dimensions>& source, Make&& make) {
+  explicit RecentSurfaces(std::size_t most) : most_(most) {}
+
+  template <class Make>
+  Entry get(const SurfaceSource<Dimensions>& source, const std::vector<FileStamp>& files,
+            Make&& make) {
     const std::lock_guard<std::mutex> guard(mutex_);
-    const auto found = std::find_if(entries_.begin(), entries_.end(), [&source](const auto& entry) {
-      return entry.source == source;
+    const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) {
+      return entry.source == source && entry.files == files;
     });
     if (found != entries_.end()) {
       std::rotate(entries_.begin(), found, found + 1);
     } else {
       entries_.insert(entries_.begin(), make());
-      entries_.resize(std::min(entries_.size(), max_kept));
+      entries_.front().files = files;
+      entries_.resize(std::min(entries_.size(), most_));
     }
     return entries_.front();
   }
 
 private:
-  /// Wear studies compare a handful of profiles; a surface takes about 0.1 MB.
-  /// origin: bound, changes no result.
-  static constexpr std::size_t max_kept = 8;
+  std::size_t most_;
   std::mutex mutex_;
   std::vector<Entry> entries_; ///< last used first
 };
 
 class SurfaceCache {
 public:
+  enum class For { scenes, one_scene };
+
+  /// Of many scenes, whose files do not change, or of one, whose files may: it watches them, and
+  /// keeps no slices, which are many files.
+  explicit SurfaceCache(For scenes = For::scenes)
+      : watches_files_(scenes == For::one_scene),
+        wheels_(watches_files_ ? most_of_scene : most_of_scenes),
+        rails_(watches_files_ ? most_of_scene : most_of_scenes) {}
+
   /// Throws Error(unknown_name) for a name that is neither built in nor that of a file.
   SceneSurfaces get(const Scene& scene);
 
 private:
+  /// Studies compare hundreds of profiles; a surface takes about 0.1 MB. A scene has two of a kind.
+  /// origin: bound: of memory, changes no result.
+  static constexpr std::size_t most_of_scenes = 512;
+  static constexpr std::size_t most_of_scene = 2;
+  bool watches_files_;
   RecentSurfaces<WheelSurface, WheelsetDimensions> wheels_;
   RecentSurfaces<RailSurface, TrackDimensions> rails_;
 };

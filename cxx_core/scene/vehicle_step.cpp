@@ -5,8 +5,8 @@
 
 #include "base/error.hpp"
 #include "derivatives/rail_jacobian.hpp"
+#include "keys/key_warnings.hpp"
 #include "keys/scene_keys.hpp"
-#include "keys/unused_keys.hpp"
 #include "scene/model_choice.hpp"
 #include "scene/number_tables.hpp"
 #include "scene/patch_summary.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <random>
 #include <string>
@@ -107,7 +108,7 @@ public:
     table_.convention = scene.convention;
     table_.friction = scene.left.friction.coefficient;
     table_.standstill_speed = scene.standstill_speed;
-    nodes().measure();
+    nodes()->measure();
     const TableRanges& ranges = options.ranges;
     lateral_ = SplineAxis(-ranges.lateral, ranges.lateral, counts_.lateral);
     roll_ = SplineAxis(-ranges.roll, ranges.roll, counts_.roll);
@@ -128,7 +129,10 @@ public:
   }
 
 private:
-  TableNodes nodes() { return {scene_, solver_.beside(), table_}; }
+  /// Not on the stack, which may be small.
+  std::unique_ptr<TableNodes> nodes() {
+    return std::make_unique<TableNodes>(scene_, solver_.beside(), table_);
+  }
 
   [[nodiscard]] Progress part_of_progress(double from, double to) const {
     if (!options_.progress) {
@@ -178,12 +182,12 @@ double flange_of(TableNodes& nodes, double range, double roll, double yaw) {
 void TableBuilder::align() {
   const TensorSpline<2, 1>::Axes axes{roll_, square_};
   std::vector<double> shifts(roll_.count * square_.count);
-  TableNodes solver = nodes();
+  const std::unique_ptr<TableNodes> solver = nodes();
   const double range = options_.ranges.lateral;
-  const double middle = flange_of(solver, range, 0.0, yaw_of(square_, 0));
+  const double middle = flange_of(*solver, range, 0.0, yaw_of(square_, 0));
   run_tasks(std::isnan(middle) ? 0 : shifts.size(), options_.threads, {}, [&] {
     return [&, own = nodes()](std::size_t task) mutable {
-      shifts[task] = flange_of(own, range, roll_.node(task / square_.count),
+      shifts[task] = flange_of(*own, range, roll_.node(task / square_.count),
                                yaw_of(square_, task % square_.count)) -
                      middle;
     };
@@ -206,8 +210,8 @@ void TableBuilder::find_touch(const Progress& progress) {
         const double roll = roll_.node(pose / square_.count);
         const double yaw = yaw_of(square_, pose % square_.count);
         const double lateral = from_aligned(table_, lateral_.node(i), roll, yaw);
-        values[2 * (i * poses + pose)] = own.touch_height(lateral, roll, yaw);
-        values[2 * (i * poses + pose) + 1] = std::log(own.depth_at_load(lateral, roll, yaw));
+        values[2 * (i * poses + pose)] = own->touch_height(lateral, roll, yaw);
+        values[2 * (i * poses + pose) + 1] = std::log(own->depth_at_load(lateral, roll, yaw));
       }
     };
   });
@@ -232,7 +236,7 @@ void TableBuilder::solve_nodes(const Progress& progress) {
         double* const to = values.data() + (i * poses + pose) * depth_.count * parts;
         for (std::size_t level = 1; level < depth_.count; ++level) {
           const double depth = depth_.node(level) * std::exp(touch.value[1]);
-          const auto found = own.parts(lateral, touch.value[0] - depth, roll, yaw);
+          const auto found = own->parts(lateral, touch.value[0] - depth, roll, yaw);
           std::copy(found.begin(), found.end(), to + level * parts);
         }
         for (std::size_t part = 1; part < parts; ++part) { // where forces go to 0, by a parabola
@@ -251,7 +255,7 @@ TableBuilder::errors_of(std::uint64_t first, std::size_t count, const Progress& 
   run_tasks(count, options_.threads, progress, [&] {
     return [&, own = nodes()](std::size_t i) mutable {
       const TableState state = random_state(table_, i % cells, first + i / cells);
-      errors[i].first = error_of(table_, state, own, errors[i].second);
+      errors[i].first = error_of(table_, state, *own, errors[i].second);
     };
   });
   return errors;

@@ -1,5 +1,6 @@
 #include "table/table_file.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -77,6 +78,10 @@ public:
       refuse("a name of " + std::to_string(size) + " bytes");
     }
     value = next(static_cast<std::size_t>(size));
+    if (std::any_of(value.begin(), value.end(),
+                    [](unsigned char letter) { return letter < 0x20 || letter == 0x7F; })) {
+      refuse("a name that is no text of one line");
+    }
   }
   template <class Number> void numbers(std::vector<Number>& values, std::size_t count) {
     if (count > rest_.size() / sizeof(Number)) {

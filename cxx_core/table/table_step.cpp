@@ -251,8 +251,13 @@ TableStep step_in_table(const ContactTable& table, const VehicleState& state,
       refuse_place(table, contacts[i], right, convention.units);
     }
     asks[i] = exact != nullptr && share_of(contacts[i]) > 0.0;
-    if (!std::isfinite(sum_of(contacts[i].force.data(), contacts[i].force.size()))) {
-      throw Error(ErrorCode::file_malformed, "the table's numbers give no finite force");
+    double all = sum_of(contacts[i].force.data(), contacts[i].force.size()) + contacts[i].error;
+    for (const auto& row : contacts[i].rates) {
+      all += sum_of(row.data(), row.size());
+    }
+    if (!std::isfinite(all)) {
+      throw Error(ErrorCode::file_malformed,
+                  "the table's numbers give no finite force, derivative or error");
     }
     if (right) {
       turn_contact(contacts[i]);

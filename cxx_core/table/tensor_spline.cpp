@@ -3,8 +3,9 @@
 #include "base/error.hpp"
 
 extern "C" {
-/// LAPACK: factors of a banded matrix, and solutions by them.
-void dgbtrf_(const int* m, const int* n, const int* kl, const int* ku, double* ab, const int* ldab,
+/// LAPACK: factors of a banded matrix, and solutions by them. Bands this narrow are not blocked,
+/// and dgbtrf would lay 66 kB for blocks on the stack.
+void dgbtf2_(const int* m, const int* n, const int* kl, const int* ku, double* ab, const int* ldab,
              int* ipiv, int* info);
 void dgbtrs_(const char* trans, const int* n, const int* kl, const int* ku, const int* nrhs,
              const double* ab, const int* ldab, const int* ipiv, double* b, const int* ldb,
@@ -32,7 +33,7 @@ void interpolate_lines(const SplineAxis& axis, double* values, std::size_t strid
   }
   std::vector<int> pivots(axis.count);
   int info = 0;
-  dgbtrf_(&order, &order, &below, &above, band.data(), &rows, pivots.data(), &info);
+  dgbtf2_(&order, &order, &below, &above, band.data(), &rows, pivots.data(), &info);
   // Lines in groups, so that they take little memory of their own.
   constexpr std::size_t group = 64;
   std::vector<double> right(group * axis.count);

@@ -26,6 +26,21 @@ bool is_same_file(const fs::path& one, const fs::path& other) {
           whole == fs::weakly_canonical(fs::absolute(target_of(other), unknown), unknown));
 }
 
+void require_writable(const fs::path& path) {
+  std::error_code unknown;
+  const fs::file_status old = fs::status(path, unknown);
+  if (fs::exists(old) && !fs::is_regular_file(old)) {
+    throw Failure("cannot write " + path.string() + ": exists and is not a regular file");
+  }
+  if (fs::exists(old) && access(path.c_str(), W_OK) != 0) { // renaming would not ask
+    throw Failure("cannot write " + path.string() + ": it may not be written");
+  }
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw Failure("cannot write " + path.string() + ": does the folder exist, and is it writable?");
+  }
+}
+
 /// Creates a new file, replacing any link of this name.
 void make_file(const fs::path& path) {
   std::error_code ignored;
@@ -53,23 +68,17 @@ fs::path target_of(fs::path path) {
 }
 
 OutputFile::OutputFile(const fs::path& path) : path_(target_of(path)), aside_(path_) {
-  std::error_code unknown;
-  const fs::file_status old = fs::status(path_, unknown);
-  if (fs::exists(old) && !fs::is_regular_file(old)) {
-    throw Failure("cannot write " + path_.string() + ": exists and is not a regular file");
-  }
+  require_writable(path_);
   remove_leftovers(path_, Runs::dead);
   aside_ += aside_mark + std::to_string(getpid()) + path_.extension().string();
-  if (fs::exists(old) && access(path_.c_str(), W_OK) != 0) { // renaming would not ask
-    throw Failure("cannot write " + path_.string() + ": it may not be written");
-  }
   make_file(aside_);
   stream_.open(aside_, std::ios::in | std::ios::out); // makes none
   if (!stream_) {
     throw Failure("cannot write " + path_.string() +
                   ": does the folder exist, and is it writable?");
   }
-  if (fs::exists(old)) {
+  std::error_code unknown;
+  if (const fs::file_status old = fs::status(path_, unknown); fs::exists(old)) {
     fs::permissions(aside_, old.permissions() | fs::perms::owner_write, unknown);
   }
   stream_.precision(std::numeric_limits<double>::max_digits10);
@@ -133,6 +142,7 @@ void refuse_overwriting(const std::vector<fs::path>& outputs, const std::vector<
       throw Failure("cannot write " + output->string() +
                     " twice; each file must have a name of its own");
     }
+    require_writable(target_of(*output));
   }
 }
 

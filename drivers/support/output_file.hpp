@@ -42,8 +42,8 @@ std::filesystem::path target_of(std::filesystem::path path);
 enum class Runs { dead, all };
 void remove_leftovers(const std::filesystem::path& path, Runs runs);
 
-/// Throws Failure if one of the files to be written is one that is read, or is named twice. Empty
-/// paths do not count.
+/// Before work begins: throws Failure if one of the files to be written is one that is read, is
+/// named twice, or cannot be written. Empty paths do not count.
 void refuse_overwriting(const std::vector<std::filesystem::path>& outputs,
                         const std::vector<std::filesystem::path>& inputs);
 

@@ -101,13 +101,8 @@ inline std::vector<std::string> sides_of(const Scene& scene) {
 
 /// Whether a profile of this name is built in.
 inline bool is_standard(const std::string& name) {
-  for (const std::int32_t kind : {WRC_WHEEL, WRC_RAIL}) {
-    const auto names = wrcontact::standard_profile_names(kind);
-    if (std::find(names.begin(), names.end(), name) != names.end()) {
-      return true;
-    }
-  }
-  return false;
+  const Profile profile;
+  return wrc_profile_load_standard(profile.handle(), name.c_str()) == WRC_OK;
 }
 
 /// "Built-in wheels: ...\nBuilt-in rails: ...\n".

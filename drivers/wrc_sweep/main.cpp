@@ -87,8 +87,11 @@ std::vector<fs::path> files_of(const driver::Study& study, const fs::path& folde
 void begin(const Options& options, std::optional<driver::Study>& study,
            std::optional<driver::Journal>& journal) {
   study = driver::read_study(options.study_file, options.changes);
-  if (options.no_pictures) {
-    study->pictures.clear();
+  if (options.no_pictures) { // those with a table are that
+    std::erase_if(study->pictures, [](driver::PictureRequest& picture) {
+      picture.is_drawn = false;
+      return files_of(picture, {}).empty();
+    });
   } else if (!study->pictures.empty()) {
     driver::require_gnuplot();
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
 #include <netcdf.h>
@@ -355,6 +356,8 @@ void write_netcdf(const Study& study, Journal& journal, const std::filesystem::p
   // by a fault. A process of its own keeps that from this one.
   const std::string trouble = in_own_process([&](int) {
     journal.give_up_lock();
+    // Nobody else opens the file aside, and some file systems have no locks.
+    setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0);
     write_whole(study, journal, whole.aside());
   });
   if (!trouble.empty()) {

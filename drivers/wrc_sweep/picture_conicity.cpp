@@ -61,6 +61,9 @@ void draw_conicity(const PictureRequest& picture, const PictureData& data,
     findings << curves.back().in_words(entry.shown) << '\n';
   }
   write_table(curves, table);
+  if (!picture.is_drawn) {
+    return;
+  }
   draw_conicity_curves(curves, picture.title, path, warning_note(data), end_of_warning_note());
 }
 

@@ -230,7 +230,12 @@ std::optional<std::string> shown_value(const std::string& key, const Study& stud
     return names_profile(key) ? profile_title(value) : value;
   }
   const int axis = study.axis_of(key);
-  if (axis < 0 || !names_profile(key)) {
+  if (axis < 0) { // of a key that is not set, its default
+    const Values all = values_in_force(Scene());
+    const auto found = all.find(key);
+    return found == all.end() ? std::nullopt : std::optional(text_of(found->second));
+  }
+  if (!names_profile(key)) {
     return std::nullopt;
   }
   constexpr std::size_t most_names = 3;

@@ -182,6 +182,9 @@ void draw_ranking(const PictureRequest& picture, const PictureData& data,
   std::stable_sort(entries.begin(), entries.end(), before);
   write_ranking(entries, picture, table);
   print_ranking(entries, picture, findings);
+  if (!picture.is_drawn) {
+    return;
+  }
 
   std::size_t letters = 0; // of the longest name
   Gnuplot gnuplot;

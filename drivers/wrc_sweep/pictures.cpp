@@ -212,8 +212,11 @@ std::string note_of_scenes_left_out(const PictureRequest& picture, const Study& 
 
 std::vector<std::filesystem::path> files_of(const PictureRequest& picture,
                                             const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files{folder / picture.file};
-  const std::string stem = files[0].stem().string();
+  std::vector<std::filesystem::path> files;
+  if (picture.is_drawn) {
+    files.push_back(folder / picture.file);
+  }
+  const std::string stem = std::filesystem::path(picture.file).stem().string();
   if (picture.kind == PictureRequest::Kind::conicity) {
     files.push_back(folder / (stem + "_by_amplitude.csv"));
   } else if (picture.kind == PictureRequest::Kind::ranking) {
@@ -239,10 +242,10 @@ void draw_picture(const PictureRequest& picture, const PictureData& data,
     draw_connections(picture, data, files[0]);
     break;
   case PictureRequest::Kind::conicity:
-    draw_conicity(picture, data, files[0], files[1], findings);
+    draw_conicity(picture, data, files.front(), files.back(), findings);
     break;
   case PictureRequest::Kind::ranking:
-    draw_ranking(picture, data, files[0], files[1], findings);
+    draw_ranking(picture, data, files.front(), files.back(), findings);
     break;
   }
 }

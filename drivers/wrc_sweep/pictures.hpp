@@ -75,7 +75,8 @@ std::string series_label(const PictureRequest& picture);
 /// place for the others; empty if it shows them all.
 std::string note_of_scenes_left_out(const PictureRequest& picture, const Study& study);
 
-/// The files of a picture in a folder: the picture, and for conicity and ranking a table too.
+/// The files of a picture in a folder: the picture, if it is drawn, then for conicity and ranking a
+/// table.
 std::vector<std::filesystem::path> files_of(const PictureRequest& picture,
                                             const std::filesystem::path& folder);
 /// Draws one picture into a folder; `findings` gets what it shows in words, if there is such a

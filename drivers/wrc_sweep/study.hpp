@@ -71,6 +71,7 @@ struct PictureRequest {
   double pressure_max = 0.0; ///< patches: of the darkest colour, MPa; 0: the largest there is
   Values where;              ///< which scenes are drawn
   std::vector<PanelRequest> panels;
+  bool is_drawn = true; ///< otherwise only its table is written
 };
 
 struct Study {

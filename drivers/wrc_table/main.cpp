@@ -5,7 +5,6 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <stdexcept>
 #include <string_view>
 #include <system_error>
 
@@ -90,27 +89,17 @@ private:
   int shown_ = 0;
 };
 
-/// Throws if a table cannot be written there: before minutes of work, and before another file is
-/// replaced.
+/// Throws before another file is replaced.
 void check_path(const std::string& path) {
   namespace fs = std::filesystem;
   constexpr std::string_view first_words = "wrcontact table";
-  const auto refuse = [&path](const char* reason) {
-    throw std::runtime_error("TABLE = " + path + ": " + reason);
-  };
   std::error_code ignored;
-  if (fs::is_directory(path, ignored)) {
-    refuse("is a folder");
-  }
-  if (const fs::path folder = fs::path(path).parent_path();
-      !folder.empty() && !fs::is_directory(folder, ignored)) {
-    refuse("there is no such folder");
-  }
   if (fs::is_regular_file(path, ignored) && fs::file_size(path, ignored) > 0) {
     std::string start(first_words.size(), '\0');
     std::ifstream(path, std::ios::binary).read(start.data(), first_words.size());
     if (start != first_words) {
-      refuse("exists and is no table; a scene file comes after --scene");
+      throw driver::Failure("TABLE = " + path +
+                            ": exists and is no table; a scene file comes after --scene");
     }
   }
 }
@@ -153,8 +142,8 @@ int main(int argc, char** argv) {
       driver::apply_scene_file(scene, scene_file);
     }
     driver::apply_assignments(scene, assignments);
-    driver::refuse_overwriting({path}, {scene_file});
     check_path(path);
+    driver::refuse_overwriting({path}, {scene_file});
     const auto start = std::chrono::steady_clock::now();
     print_warnings(scene);
     table.build(scene, options, Tenths());

@@ -87,9 +87,7 @@ class Profile(Handle):
     def __init__(self, name: str | os.PathLike[str], **options: Any) -> None:
         super().__init__()
         self._made: tuple[Any, ...] = (Profile, (os.fspath(name),), options)
-        if not options and name in standard_profiles("wheel") + standard_profiles("rail"):
-            self._check(lib.wrc_profile_load_standard(self._handle, encoded(name)))
-        else:
+        if options or lib.wrc_profile_load_standard(self._handle, encoded(name)) != 0:
             self._check(lib.wrc_profile_load_file(self._handle, encoded(name),
                                                   _read_options(options)))
 

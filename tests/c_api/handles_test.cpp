@@ -68,6 +68,41 @@ TEST(Handles, OneOfAnotherKindIsRefused) {
   EXPECT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
   wrc_scene* scenes[] = {scene.get(), mistaken};
   EXPECT_EQ(wrc_solve_batch(scenes, 2, 1, nullptr), WRC_INVALID_ARGUMENT);
+  EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "scenes[1]: the handle has been destroyed"));
+}
+
+TEST(Handles, ABatchSaysWhichHandleItHasTwice) {
+  const ScenePointer one = make_small_scene();
+  const ScenePointer two = make_small_scene();
+  wrc_scene* scenes[] = {one.get(), two.get(), one.get()};
+  wrc_status statuses[] = {WRC_OK, WRC_OK, WRC_OK};
+  EXPECT_EQ(wrc_solve_batch(scenes, 3, 1, statuses), WRC_INVALID_ARGUMENT);
+  for (const wrc_status status : statuses) {
+    EXPECT_EQ(status, WRC_INVALID_ARGUMENT);
+  }
+  EXPECT_TRUE(contains(wrc_scene_error(one.get()), "scenes[2]: the same handle as another one"));
+  EXPECT_TRUE(contains(wrc_scene_error(two.get()), "scenes[2]"));
+
+  const SolverPointer first = make_solver();
+  const SolverPointer second = make_solver();
+  wrc_solver* solvers[] = {first.get(), second.get()};
+  wrc_history* history = nullptr;
+  ASSERT_EQ(wrc_history_create(&history), WRC_OK);
+  wrc_history* histories[] = {history, history};
+  wrc_step_arguments arguments{};
+  arguments.struct_size = sizeof arguments;
+  arguments.time_step = 1e-3;
+  arguments.histories = histories;
+  const double numbers[12] = {};
+  double forces[24];
+  statuses[0] = statuses[1] = WRC_OK;
+  EXPECT_EQ(
+      wrc_step_batch_with(solvers, scenes, 2, 1, numbers, numbers, &arguments, forces, statuses),
+      WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(statuses[0], WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(statuses[1], WRC_INVALID_ARGUMENT);
+  EXPECT_TRUE(contains(wrc_scene_error(two.get()), "histories[1]: the same handle"));
+  wrc_history_destroy(history);
 }
 
 TEST(Status, AnExceptionOfTheCallersOwnCodeIsAnInternalFault) {

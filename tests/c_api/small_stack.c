@@ -58,12 +58,29 @@ static void solve(const char* key, const char* value) {
   wrc_scene_destroy(scene);
 }
 
+static void make_table(void) {
+  wrc_scene* scene = NULL;
+  wrc_table* table = NULL;
+  wrc_table_options options;
+  memset(&options, 0, sizeof options);
+  options.struct_size = sizeof options;
+  options.lateral = 0.5;
+  options.roll = options.yaw = 1e-3;
+  options.load = 1e3;
+  options.fineness = 0.2;
+  expect(wrc_scene_create(&scene) == WRC_OK && wrc_table_create(&table) == WRC_OK, "a table");
+  expect(wrc_table_build(table, scene, &options, NULL, NULL) == WRC_OK, wrc_table_error(table));
+  wrc_table_destroy(table);
+  wrc_scene_destroy(scene);
+}
+
 static void* run(void* unused) {
   read_and_write_profiles();
   solve("motion.pitch", "free");
   solve("solve.solver", "paper");
   solve("solve.creep", "fastsim");
   solve("solve.planner", "measure");
+  make_table();
   return unused;
 }
 

@@ -97,7 +97,7 @@ TEST(Batch, RefusesInvalidArguments) {
     EXPECT_EQ(wrc_solve_batch(good.data(), 2, threads, statuses.data()), WRC_INVALID_ARGUMENT);
   }
   EXPECT_EQ(wrc_scene_number_count(one.get()), 0);
-  EXPECT_EQ(std::count(statuses.begin(), statuses.end(), -1), 3);
+  EXPECT_EQ(std::count(statuses.begin(), statuses.end(), WRC_INVALID_ARGUMENT), 3);
   EXPECT_EQ(wrc_solve_batch(nullptr, 0, 2, nullptr), WRC_OK);
   EXPECT_EQ(wrc_solve_batch(good.data(), 0, 2, statuses.data()), WRC_OK);
   EXPECT_EQ(wrc_scene_number_count(one.get()), 0);

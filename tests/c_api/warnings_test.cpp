@@ -1,6 +1,7 @@
 /// All warnings of a scene by one function, whoever has solved it.
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -64,6 +65,61 @@ TEST(Warnings, IncludeThoseOfProfilesGivenByTheProgram) {
   scene.set("pose.lateral", 0.0);
   EXPECT_TRUE(scene.solve());
   EXPECT_TRUE(scene.warnings().empty()) << scene.warnings()[0];
+}
+
+/// The texts of one class.
+std::vector<std::string> of_class(const std::string& name, const wrcontact::Scene& scene) {
+  std::vector<std::string> found;
+  const std::vector<std::string> all = scene.warnings();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (scene.text("warning_classes." + std::to_string(i)) == name) {
+      found.push_back(all[i]);
+    }
+  }
+  return found;
+}
+
+std::vector<std::string> implausible(double longitudinal, double lateral, double spin) {
+  wrcontact::Scene scene;
+  scene.set("solve.accuracy", 0.1);
+  scene.set("creepage.left", {longitudinal, lateral, spin});
+  scene.solve();
+  return of_class("implausible_input", scene);
+}
+
+/// One per mille typed as 1, spin in 1/m.
+TEST(Warnings, OfCreepagesThatNoWheelHasThatRolls) {
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(implausible(-1.0, 0.0, 0.0),
+            Texts{"left: longitudinal creepage -1: a wheel that rolls has at most 0.2; 0.001 is "
+                  "one per mille"});
+  EXPECT_EQ(implausible(0.0, 0.21, 0.1).size(), 2U);
+  EXPECT_EQ(implausible(0.2, -0.2, 0.0065), Texts{});
+}
+
+/// A pitch rate in another unit than the speed; not of a wheelset that starts.
+TEST(Warnings, OfMotionsByWhichWheelsSlide) {
+  wrcontact::Scene scene;
+  scene.set("solve.accuracy", 0.1);
+  for (const auto& [speed, pitch, count] :
+       {std::tuple(2e4, 2e4 / 460.0, 0U), {2e4, 1.5 * 2e4 / 460.0, 2U}, {500.0, 0.0, 0U}}) {
+    scene.set("motion.speed", speed);
+    scene.set("motion.pitch", pitch);
+    scene.solve();
+    EXPECT_EQ(of_class("implausible_input", scene).size(), count) << speed << ", " << pitch;
+  }
+}
+
+TEST(Warnings, OfALinearLawBeyondFriction) {
+  wrcontact::Scene scene;
+  scene.set("solve.accuracy", 0.1);
+  scene.set("solve.side", "left");
+  scene.set("solve.creep", "linear");
+  for (const auto& [creepage, count] : {std::pair(1e-4, 0U), {1e-2, 1U}}) {
+    scene.set("creepage.longitudinal", creepage);
+    scene.solve();
+    EXPECT_EQ(of_class("model_validity", scene).size(), count) << creepage;
+  }
 }
 
 TEST(Warnings, AreReturnedByEveryCallThatSolves) {

@@ -53,6 +53,22 @@ TEST_F(ConicityTable, OfAConeHasItsSlope) {
   }
 }
 
+TEST_F(ConicityTable, IsWrittenWithoutItsPicture) {
+  write("s.toml", "[pose]\nroll = \"en15302\"\nlateral = {from = -4, to = 4, step = 1}\n"
+                  "[solve]\nuntil = \"geometry\"\n[study]\nresults = "
+                  "[\"rolling_radius_difference\", \"left.rigid_contact.angle\", "
+                  "\"right.rigid_contact.angle\"]\n[[picture]]\nkind = \"conicity\"\n"
+                  "file = \"c.png\"\n[[picture]]\nkind = \"lines\"\nfile = \"l.png\"\n"
+                  "x = \"pose.lateral\"\n"
+                  "panels = [{lines = [{result = \"rolling_radius_difference\"}]}]\n");
+  const Outcome outcome = run("s.toml --out o --no-pictures");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("conicity"), std::string::npos) << outcome.out;
+  EXPECT_EQ(driver::CsvTable(folder() / "o/c_by_amplitude.csv").row_count(), amplitudes);
+  EXPECT_FALSE(std::filesystem::exists(folder() / "o/c.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder() / "o/l.png"));
+}
+
 TEST_F(ConicityTable, DoesNotDependOnTheOrderOfPositions) {
   NEEDS_GNUPLOT();
   std::string wheel;

@@ -85,5 +85,14 @@ TEST_F(FullDisk, ASweepKeepsFinishedRowsAndResumes) {
   EXPECT_FALSE(exists("o/s.rows"));
 }
 
+/// As NFS and Lustre may be.
+TEST_F(FullDisk, OrOneWithoutLocksIsEnoughForAStudy) {
+  write("s.toml", "[pose]\nlateral = [-1.0, 2.0]\n[solve]\nuntil = \"geometry\"\n");
+  const Outcome outcome =
+      run("env", std::string("LD_PRELOAD='" WRC_NO_LOCKS "' '") + WRC_SWEEP_PROGRAM + "' s.toml");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_TRUE(std::filesystem::exists(folder() / "s.nc"));
+}
+
 } // namespace
 } // namespace full_disk_test

@@ -92,13 +92,13 @@ TEST_F(OutputLinks, ThatFormACircleAreRefused) {
 }
 
 TEST_F(OutputLinks, RowsOfAStudyAreKeptAtTheTargetOfALink) {
-  fs::create_directories(folder() / "o/s.csv"); // cannot be written, so rows are left
+  fs::create_directories(folder() / "o");
   fs::create_directories(folder() / "large");
   fs::create_symlink("../large/rows", folder() / "o/s.rows");
   write("s.toml", "[pose]\nlateral = [0, 1]\n[load]\nboth = 0\n");
-  EXPECT_EQ(run(WRC_SWEEP_PROGRAM, "s.toml --out o").exit_code, 1);
+  // The NetCDF file is larger than a file may be, so rows are left.
+  EXPECT_EQ(run_limited(16, WRC_SWEEP_PROGRAM, "s.toml --out o").exit_code, 1);
   EXPECT_TRUE(read("large/rows").starts_with("wrc_sweep rows"));
-  fs::remove(folder() / "o/s.csv");
   EXPECT_EQ(run(WRC_SWEEP_PROGRAM, "s.toml --out o --resume").exit_code, 0);
   EXPECT_FALSE(exists("large/rows")) << "what is not needed any more is left";
   EXPECT_TRUE(fs::is_symlink(folder() / "o/s.rows"));

@@ -73,5 +73,13 @@ TEST_F(StudyResults, AssignedLoadsKeepWhatCarriesThem) {
   EXPECT_NEAR(std::stod(entry("q/s.csv", 2, "left.pressure_force.z")), 70000.0, 1e-3);
 }
 
+/// Keys that a study does not set have their defaults.
+TEST_F(StudyResults, TitlesShowValuesOfDefaultKeys) {
+  write("s.toml", "[pose]\nlateral = [-1.0, 2.0]\n[solve]\nuntil = \"geometry\"\n[study]\n"
+                  "title = \"{wheelset.wheel} on {track.rail}, gauge {track.gauge}, p_{max}\"\n");
+  ASSERT_EQ(run("s.toml --page p.html").exit_code, 0);
+  EXPECT_NE(read("p.html").find("S1002 on 60E1, gauge 1435, p_{max}"), std::string::npos);
+}
+
 } // namespace
 } // namespace study_results_test

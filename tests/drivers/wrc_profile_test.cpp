@@ -322,7 +322,8 @@ TEST_F(WrcProfile, RefusesBadArguments) {
   run("S1002 --points --spacing 1e-9").expect_refusal({"--spacing 1e-09", "must be at least"});
   run("S1002 --plot a.pdf").expect_refusal({"--plot a.pdf", ".png"});
   run("S1002 --convert a.prr").expect_refusal({"--convert a.prr", ".prw"});
-  run("S1002 --convert no/a.txt").expect_refusal({"--convert no/a.txt"});
+  run("S1002 --convert no/a.txt")
+      .expect_refusal({"cannot write no/a.txt", "does the folder exist"});
   run("S1002 --colour").expect_refusal({"--colour"});
   write("bad.txt", "1 2\n3 oops\n");
   run("bad.txt").expect_refusal({"bad.txt:2", "oops"});

@@ -55,7 +55,7 @@ TEST_F(WrcTable, RefusesMistakes) {
   write("scene.toml", "[pose]\nyaw = 0.001\n");
   run("scene.toml").expect_refusal({"scene.toml", "is no table", "--scene"});
   EXPECT_EQ(read("scene.toml"), "[pose]\nyaw = 0.001\n");
-  run("nowhere/a.table").expect_refusal({"nowhere/a.table", "no such folder"});
+  run("nowhere/a.table").expect_refusal({"nowhere/a.table", "does the folder exist"});
 }
 
 } // namespace

@@ -50,6 +50,14 @@ TEST_F(WrcWear, RefusesMistakesBeforeItSolves) {
 }
 
 /// Thrown on another thread, it ended the program by a signal.
+/// Not after hours.
+TEST_F(WrcWear, SaysAtOnceWhatItCannotWrite) {
+  run("--distance 20 --save no_such_folder/worn.prw")
+      .expect_refusal({"cannot write no_such_folder/worn.prw"});
+  run(WRC_REPORT_PROGRAM, "none.prw 60E1 --page no_such_folder/page.html")
+      .expect_refusal({"cannot write no_such_folder/page.html"});
+}
+
 TEST_F(WrcWear, ReportsAFailureOfAPassage) {
   const Outcome outcome = run("--distance 10 --threads 2 --set load.both=1e9");
   EXPECT_EQ(outcome.exit_code, 1);

@@ -475,4 +475,11 @@ c       Low bits as of a scene of a program with integers of 8 bytes.
         call expect(both(1) .eq. 1 .and. both(2) .eq. 4711,
      &    'four bytes are written')
    10 continue
+      do 20 bit = 1, 100
+        handle = bit
+        both(2) = 4711
+        call wrcsol(handle, ierr)
+        call expect(both(1) .eq. 1 .and. both(2) .eq. 4711,
+     &    'also of small numbers')
+   20 continue
       end

@@ -161,6 +161,7 @@ CASES = {
         "friction.limit_ratio": 0.3, "friction.decay": 0.001, **QUICK}),
     "unused_key": Case("load.left is not used: pose.vertical is set", {
         "load.left": 70000, "pose.vertical": 459.9, **QUICK, **LEFT}),
+    "implausible_input": Case("is below 1 kN", {"load.both": 80, **QUICK, **LEFT}),
 }
 
 

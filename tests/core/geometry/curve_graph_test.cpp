@@ -12,7 +12,7 @@ namespace {
 
 TEST(CurveGraph, EndsWhereTheCurveTurnsUpright) {
   const Curve curve = circular_rail(300.0).curve;
-  const CurveGraph graph(curve, arc_of_highest_point(curve));
+  const CurveGraph graph(curve, arc_of_crown(curve));
   EXPECT_NEAR(graph.lateral_begin(), -35.0, 1e-9);
   EXPECT_NEAR(graph.lateral_end(), 35.0, 1e-9);
   EXPECT_TRUE(graph.covers(0.0));
@@ -21,7 +21,7 @@ TEST(CurveGraph, EndsWhereTheCurveTurnsUpright) {
 
 TEST(CurveGraph, MeetsTheCurveOverEveryLateral) {
   const Curve curve = circular_rail(300.0).curve;
-  const CurveGraph graph(curve, arc_of_highest_point(curve));
+  const CurveGraph graph(curve, arc_of_crown(curve));
   for (double lateral = -34.9; lateral < 35.0; lateral += 0.7) {
     double arc = 0.0;
     const CurvePoint point = graph.at_lateral(lateral, arc);
@@ -36,9 +36,8 @@ TEST(CurveGraph, MeetsTheCurveOverEveryLateral) {
 
 TEST(CurveGraph, HighestPointAndRidge) {
   const Curve crown = circular_rail(300.0).curve;
-  EXPECT_NEAR(crown.at(arc_of_highest_point(crown)).lateral, 0.0, 1e-6);
-  EXPECT_NEAR(CurveGraph(crown, arc_of_highest_point(crown)).sharpest_ridge(-30.0, 30.0), 0.0,
-              1e-6);
+  EXPECT_NEAR(crown.at(arc_of_crown(crown)).lateral, 0.0, 1e-6);
+  EXPECT_NEAR(CurveGraph(crown, arc_of_crown(crown)).sharpest_ridge(-30.0, 30.0), 0.0, 1e-6);
   // Flank of 60 degrees and tread: a valley seen from the flank, which is no ridge.
   const Curve flank = wheel_with_flank().curve;
   const CurveGraph graph(flank, 20.0 + 10.0);

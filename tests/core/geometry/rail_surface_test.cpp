@@ -34,6 +34,65 @@ TEST(RailSurface, TopAndGaugeFaceAreWhereTheTrackPutsThem) {
   }
 }
 
+Profile rail_through(const std::vector<Position>& points) {
+  Profile profile = standard_profile("60E1");
+  profile.curve = curve_through(points);
+  profile.points = points;
+  return profile;
+}
+
+std::vector<Position> points_of_60e1() {
+  const Curve curve = standard_profile("60E1").curve;
+  std::vector<Position> points;
+  for (double arc = 0.0; arc < curve.length(); arc += 0.25) {
+    points.push_back({curve.at(arc).lateral, curve.at(arc).height});
+  }
+  return points;
+}
+
+/// EN 13848-1: the gauge is the least distance within the depth.
+TEST(RailSurface, ALipCountsAsGaugeFace) {
+  std::vector<Position> points = points_of_60e1();
+  for (Position& point : points) {
+    if (point[0] < 0.0) {
+      point[0] -= 1.2 * std::exp(-std::pow((point[1] + 9.0) / 1.5, 2));
+    }
+  }
+  const RailSurface rail(rail_through(points), {1435.0, 14.0, 0.025});
+  const RailSurface plain(rail_through(points_of_60e1()), {1435.0, 14.0, 0.025});
+  double least = 1e9;
+  const Curve placed = rail_through(points).curve.moved(0.025, rail.origin_y(), 0.0);
+  const double top = placed.at(arc_of_crown(placed)).height;
+  for (double arc = 0.0; arc < placed.length(); arc += 0.001) {
+    if (placed.at(arc).height > top - 14.0) {
+      least = std::min(least, placed.at(arc).lateral);
+    }
+  }
+  EXPECT_NEAR(least, 717.5, 1e-6);
+  EXPECT_GT(rail.origin_y(), plain.origin_y() + 0.1) << "the lip is above the depth";
+}
+
+/// A guard rail on the gauge side, 25 mm above the head.
+TEST(RailSurface, AGuardRailIsNotTheTop) {
+  std::vector<Position> points;
+  for (double y = -110.0; y <= -90.0; y += 0.5) {
+    points.push_back({y, 25.0});
+  }
+  for (double z = 24.5; z > -36.0; z -= 0.5) {
+    points.push_back({-90.0 + 0.02 * (25.0 - z), z});
+  }
+  for (double y = -88.0; y < -40.0; y += 0.5) {
+    points.push_back({y, -37.0});
+  }
+  const std::vector<Position> head = points_of_60e1();
+  points.insert(points.end(), head.begin(), head.end());
+  const RailSurface guarded(rail_through(points), {1435.0, 14.0, 0.025});
+  const RailSurface alone(rail_through(head), {1435.0, 14.0, 0.025});
+  EXPECT_NEAR(guarded.origin_y(), alone.origin_y(), 1e-6);
+  EXPECT_NEAR(guarded.graph().at_lateral(755.0).height, alone.graph().at_lateral(755.0).height,
+              1e-6);
+}
+
 TEST(RailSurface, CantRaisesTheFieldSide) {
   const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, std::atan(1.0 / 40.0)});
   const double middle = 753.0;

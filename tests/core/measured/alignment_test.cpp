@@ -71,6 +71,24 @@ TEST(Alignment, WornPartsDoNotCount) {
   EXPECT_LT(found->share, 0.85);
 }
 
+/// Laser scanners have an origin and axes of their own.
+TEST(Alignment, PointsMayLieAnywhere) {
+  for (const char* name : {"S1002", "60E1"}) {
+    const Curve curve = standard_profile(name).curve;
+    for (const RigidMotion& motion :
+         {RigidMotion{0.0, {250.0, -300.0}}, RigidMotion{20.0 * degree, {-40.0, 90.0}},
+          RigidMotion{-12.0 * degree, {3.0, 0.0}}}) {
+      std::vector<Position> points = points_on(curve);
+      for (Position& point : points)
+        point = motion.of(point);
+      const auto found = alignment_from_afar(curve, points);
+      ASSERT_TRUE(found) << name;
+      expect_inverse(found->motion, motion, 1e-6, 1e-4);
+      EXPECT_GT(found->beside, 0.99);
+    }
+  }
+}
+
 TEST(Alignment, AStraightLineOrFewPointsDetermineNothing) {
   const Curve curve = standard_profile("S1002").curve;
   std::vector<Position> line;

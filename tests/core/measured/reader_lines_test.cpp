@@ -45,7 +45,10 @@ TEST(ReaderLines, NumbersDoNotDependOnNotation) {
   EXPECT_EQ(number_of("+1.25E2"), 125.0);
   EXPECT_EQ(number_of("1.25D+02"), 125.0);
   EXPECT_EQ(number_of("1.25d-1"), 0.125);
-  for (const char* word : {"", "1,5", "12a", "e5", "--1", "0x10"}) {
+  EXPECT_EQ(number_of("0.12345-102"), 0.12345e-102);
+  EXPECT_EQ(number_of("-0.5+101"), -0.5e101);
+  for (const char* word :
+       {"", "1,5", "12a", "e5", "--1", "0x10", "0.5-12", "1.5--102", "12-101", "1.5-1.2"}) {
     EXPECT_FALSE(number_of(word)) << word;
   }
   const Log log("file", false);

@@ -1,4 +1,5 @@
 /// Readers, the common part: orientation, units, limits, options, files.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +14,7 @@
 #include "measured/plausibility.hpp"
 #include "measured/read_options.hpp"
 #include "profile/limits.hpp"
+#include "profile/profile.hpp"
 #include "samples.hpp"
 #include "support/errors.hpp"
 
@@ -138,6 +140,87 @@ TEST(Readers, StatedScaleSwitchesTheGuessOff) {
   EXPECT_TRUE(
       contains(refusal_of(rows_of(wheel_points(), 1e-3, 1e-3), ProfileFormat::columns, options),
                "mm long in total"));
+}
+
+std::vector<Position> points_every(const char* name, double spacing) {
+  const Curve curve = standard_profile(name).curve;
+  std::vector<Position> points;
+  for (double arc = 0.0; arc <= curve.length(); arc += spacing) {
+    const CurvePoint at = curve.at(arc);
+    points.push_back({at.lateral, at.height});
+  }
+  return points;
+}
+
+void expect_same_points(const ReadResult& read, const std::vector<Position>& points) {
+  ASSERT_EQ(read.measured.size(), points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(read.measured[i], points[i]) << i;
+  }
+}
+
+/// From the tread outwards, then from there to the flange.
+TEST(Readers, ScansOneBehindTheOtherArePutInOrder) {
+  const std::vector<Position> whole = points_every("S1002", 0.5);
+  std::vector<Position> blocks(whole.begin() + 250, whole.end());
+  blocks.insert(blocks.end(), whole.rend() - 250, whole.rend());
+  const ReadResult read = read_profile_text(rows_of(blocks), ProfileFormat::columns, "a.wheel");
+  EXPECT_TRUE(says(read, "points put in order"));
+  expect_same_points(read, whole);
+  EXPECT_TRUE(read.profile.warnings.empty());
+}
+
+/// A rail with a lip on its gauge face.
+TEST(Readers, ALipSortedByLateralIsPutInOrder) {
+  std::vector<Position> whole = points_every("60E1", 0.25);
+  for (Position& point : whole) {
+    if (point[0] < 0.0) {
+      point[0] -= 1.2 * std::exp(-std::pow((point[1] + 9.0) / 1.5, 2));
+    }
+  }
+  std::vector<Position> sorted = whole;
+  std::ranges::stable_sort(sorted, {}, [](const Position& point) { return point[0]; });
+  ReadOptions options;
+  options.smoothing_wavelength = 0.0;
+  const ReadResult read =
+      read_profile_text(rows_of(sorted), ProfileFormat::columns, "a.rail", options);
+  EXPECT_TRUE(says(read, "points put in order"));
+  EXPECT_FALSE(says(read, "outlier"));
+  expect_same_points(read, whole);
+}
+
+/// Points with a gap stay as they are.
+TEST(Readers, AGapIsNoDisorder) {
+  std::vector<Position> points = points_every("S1002", 0.5);
+  points.erase(points.begin() + 250, points.begin() + 300);
+  const ReadResult read = read_profile_text(rows_of(points), ProfileFormat::columns, "a.wheel");
+  EXPECT_FALSE(says(read, "order"));
+  expect_same_points(read, points);
+}
+
+TEST(Readers, ColumnsOfWholeMillimetresAreNoCount) {
+  const std::vector<Position> points = points_every("S1002", 0.05);
+  std::string text;
+  for (int lateral = 0; lateral < 120; ++lateral) {
+    const auto at = std::ranges::find_if(
+        points, [&](const Position& point) { return point[0] >= lateral - 54.0; });
+    text += std::to_string(lateral) + ' ' + text_of((*at)[1]) + ' ' +
+            text_of(0.001 * (lateral % 7)) + '\n';
+  }
+  const ReadResult read = read_profile_text(text, ProfileFormat::columns, "a.wheel");
+  EXPECT_TRUE(says(read, "columns 3 ignored"));
+  EXPECT_FALSE(says(read, "counts the rows"));
+  EXPECT_NEAR(read.measured.back()[0] - read.measured.front()[0], 119.0, 1.1);
+}
+
+/// As Fortran writes two equal numbers.
+TEST(Readers, ARepeatedNumberIsTwo) {
+  std::string text = rows_of(wheel_points());
+  const ReadResult plain =
+      read_profile_text(text + "62.0 62.0\n", ProfileFormat::columns, "w.wheel");
+  const ReadResult repeated =
+      read_profile_text(text + "2*62.0\n", ProfileFormat::columns, "w.wheel");
+  EXPECT_EQ(plain.measured, repeated.measured);
 }
 
 TEST(Readers, DuplicatesAreDroppedAndReported) {

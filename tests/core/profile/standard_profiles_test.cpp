@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -68,6 +69,25 @@ double thickness(const Curve& curve, double height) {
 double width(const Curve& curve, double depth) {
   return lateral_at_height(curve, -depth, curve.length(), 0.5 * curve.length()) -
          lateral_at_height(curve, -depth, 0.0, 0.5 * curve.length());
+}
+
+TEST(StandardProfiles, HaveOtherNames) {
+  for (const auto& [name, standard] : {std::pair("uic60", "60E1"),
+                                       {"UIC60", "60E1"},
+                                       {"S49", "49E1"},
+                                       {"S54", "54E3"},
+                                       {"UIC54", "54E1"},
+                                       {"UIC54E", "54E2"},
+                                       {"U50", "50E6"},
+                                       {"BS113A", "56E1"},
+                                       {"60e1", "60E1"},
+                                       {"uic60-manchester", "UIC60-Manchester"}}) {
+    EXPECT_EQ(standard_name(name, ProfileKind::rail), standard) << name;
+    EXPECT_EQ(standard_name(name, ProfileKind::wheel), "") << name;
+    EXPECT_EQ(standard_profile(name).name, standard);
+  }
+  EXPECT_EQ(standard_name("s1002", ProfileKind::wheel), "S1002");
+  EXPECT_EQ(standard_name("S1002.prw", ProfileKind::wheel), "");
 }
 
 TEST(StandardProfiles, AreTheOnesOfTheList) {

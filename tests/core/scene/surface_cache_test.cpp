@@ -1,10 +1,16 @@
 // Surfaces are kept while they are used, and never for another profile or track.
 #include "scene/surface_cache.hpp"
 
+#include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <string>
+
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 
+#include "profile/profile.hpp"
 #include "support/errors.hpp"
 
 namespace wrc::test::surface_cache_test {
@@ -46,15 +52,69 @@ TEST(SurfaceCache, UnknownNamesAreRefusedWithTheirKey) {
       ErrorCode::unknown_name, [&] { cache.get(scene); }, "wheel", "no-such-profile", "S1002");
 }
 
+/// With its height above that of S1002.
+void write_wheel(const std::filesystem::path& path, double above) {
+  std::ofstream file(path);
+  file.precision(10);
+  const Curve curve = standard_profile("S1002").curve;
+  for (double arc = 0.0; arc < curve.length(); arc += 0.5) {
+    const CurvePoint at = curve.at(arc);
+    file << at.lateral << ' ' << at.height + above << '\n';
+  }
+}
+
+class Folder {
+public:
+  Folder() { std::filesystem::create_directories(path); }
+  ~Folder() { std::filesystem::remove_all(path); }
+  std::filesystem::path path = std::filesystem::temp_directory_path() /
+                               ("wrcontact_surface_cache_" + std::to_string(getpid()));
+};
+
+/// A study of nine measured wheels reads each once.
+TEST(SurfaceCache, ReadsEachOfManyFilesOnce) {
+  const Folder folder;
+  SurfaceCache cache;
+  Scene scene;
+  for (int round = 0; round < 2; ++round) {
+    for (int i = 0; i < 9; ++i) {
+      const std::string name = folder.path / (std::to_string(i) + ".wheel");
+      if (round == 0) {
+        write_wheel(name, 0.01 * i);
+      }
+      scene.left.wheel.name = scene.right.wheel.name = name;
+      EXPECT_EQ(cache.get(scene).profile_milliseconds > 0.0, round == 0) << i;
+    }
+  }
+}
+
+TEST(SurfaceCache, OfOneSceneReadsAFileAgainWhenItHasChanged) {
+  const Folder folder;
+  SurfaceCache cache(SurfaceCache::For::one_scene);
+  Scene scene;
+  const std::string name = folder.path / "a.wheel";
+  scene.left.wheel.name = scene.right.wheel.name = name;
+  write_wheel(name, 0.0);
+  EXPECT_GT(cache.get(scene).profile_milliseconds, 0.0);
+  const SceneSurfaces kept = cache.get(scene);
+  EXPECT_EQ(kept.profile_milliseconds, 0.0);
+  write_wheel(name, 0.25);
+  std::filesystem::last_write_time(name, std::filesystem::file_time_type::clock::now() +
+                                             std::chrono::seconds(1)); // of coarse clocks
+  const SceneSurfaces changed = cache.get(scene);
+  EXPECT_GT(changed.profile_milliseconds, 0.0);
+  EXPECT_NE(changed.left.wheel, kept.left.wheel);
+}
+
 /// The one used last stays, the one not used for longest goes.
 TEST(RecentSurfaces, KeepsRecentlyUsedSurfaces) {
-  RecentSurfaces<WheelSurface, WheelsetDimensions> recent;
+  RecentSurfaces<WheelSurface, WheelsetDimensions> recent(8);
   int made = 0;
   const auto get = [&](double radius) {
     SurfaceSource<WheelsetDimensions> source;
     source.profile.name = "S1002";
     source.dimensions.radius = radius;
-    recent.get(source, [&] {
+    recent.get(source, {}, [&] {
       ++made;
       return RecentSurfaces<WheelSurface, WheelsetDimensions>::Entry{source, {}, {}, {}, {}};
     });

@@ -52,6 +52,18 @@ TEST(TableFile, BringsBackTheSameBits) {
             contact_in_table(small_table(), state, true).rates);
 }
 
+/// Names reach terminals.
+TEST(TableFile, RefusesNamesThatAreNotText) {
+  ContactTable table = small_table();
+  for (const char* name : {"S1002\x1b[31m", "S1002\nsolve.accuracy = 1", "\x7f"}) {
+    table.identity.wheel = name;
+    EXPECT_TRUE(is_refused(text_of_table(table))) << name;
+  }
+  table.identity.wheel = "R\xc3\xa4"
+                         "der.prw";
+  EXPECT_FALSE(is_refused(text_of_table(table)));
+}
+
 TEST(TableFile, SaysThatAFileIsOfAnotherVersion) {
   std::string text = text_of_table(small_table());
   text.resize(text.size() - sizeof(std::uint64_t));

@@ -1,5 +1,5 @@
 /// Keys that were set and have no effect beside others are warned of, in whatever order.
-#include "keys/unused_keys.hpp"
+#include "keys/key_warnings.hpp"
 
 #include <algorithm>
 #include <string>
@@ -14,7 +14,7 @@
 #include "scene/solve_scene.hpp"
 #include "scene/vehicle_step.hpp"
 
-namespace wrc::test::unused_keys_test {
+namespace wrc::test::key_warnings_test {
 namespace {
 
 using Value = std::variant<double, std::string, std::vector<double>>;
@@ -38,14 +38,14 @@ Scene scene_with(const Settings& settings) {
   return scene;
 }
 
-std::vector<std::string> told(const Scene& scene) {
+std::vector<std::string> told(const Scene& scene, WarningClass kind = WarningClass::unused_key) {
   Warnings all;
-  const UnusedKeys unused(scene);
+  const KeyWarnings unused(scene);
   unused.append_to(all);
   EXPECT_EQ(unused.count(), all.size());
   std::vector<std::string> texts;
   for (const Warning& warning : all) {
-    EXPECT_EQ(warning.kind, WarningClass::unused_key);
+    EXPECT_EQ(warning.kind, kind);
     texts.push_back(warning.text);
   }
   return texts;
@@ -54,7 +54,7 @@ std::vector<std::string> told(const Scene& scene) {
 using Texts = std::vector<std::string>;
 const std::vector<double> creepages{0.001, 0.0, 0.0};
 
-TEST(UnusedKeys, APrescribedHeightNeedsNoLoad) {
+TEST(KeyWarnings, APrescribedHeightNeedsNoLoad) {
   EXPECT_EQ(told(scene_with({{"pose.vertical", 459.8}, {"load.both", 7e4}, {"load.of", "total"}})),
             (Texts{"load.both is not used: pose.vertical is set",
                    "load.of is not used: pose.vertical is set"}));
@@ -63,7 +63,7 @@ TEST(UnusedKeys, APrescribedHeightNeedsNoLoad) {
                    "load.left is not used: pose.vertical is set"}));
 }
 
-TEST(UnusedKeys, CreepagesTakeThePlaceOfTheMotion) {
+TEST(KeyWarnings, CreepagesTakeThePlaceOfTheMotion) {
   EXPECT_EQ(told(scene_with({{"motion.speed", 2e4},
                              {"motion.pitch", "free"},
                              {"motion.torque", 1e7},
@@ -74,7 +74,7 @@ TEST(UnusedKeys, CreepagesTakeThePlaceOfTheMotion) {
             Texts{"motion.torque is not used: motion.pitch is not \"free\""});
 }
 
-TEST(UnusedKeys, WearNeedsCreepForces) {
+TEST(KeyWarnings, WearNeedsCreepForces) {
   const Texts expected{"solve.results: no wear or fatigue without creep forces, which keys of "
                        "creepage.* or motion.* "
                        "request"};
@@ -89,7 +89,7 @@ TEST(UnusedKeys, WearNeedsCreepForces) {
   EXPECT_EQ(told(scene_with({{"solve.results", "wear"}, {"creepage.left", creepages}})), Texts{});
 }
 
-TEST(UnusedKeys, FrictionAndGrid) {
+TEST(KeyWarnings, FrictionAndGrid) {
   const std::vector<double> places{-20.0, 0.1, 20.0, 0.4};
   const std::vector<double> grid{32.0, 32.0};
   EXPECT_EQ(told(scene_with({{"friction.coefficient", 0.2}, {"friction.places", places}})),
@@ -110,7 +110,29 @@ TEST(UnusedKeys, FrictionAndGrid) {
             Texts{"solve.grid is not used: solve.accuracy is set"});
 }
 
-TEST(UnusedKeys, WhatAgreesOrIsUnsetIsNoneOfThem) {
+TEST(KeyWarnings, WhatOnlyFilesAndVaryingBodiesHave) {
+  EXPECT_EQ(told(scene_with({{"friction.decay", 0.01}})),
+            Texts{"friction.decay is not used: friction.limit_ratio is 1"});
+  EXPECT_EQ(told(scene_with({{"friction.limit_ratio", 0.4}})),
+            Texts{"friction.limit_ratio is not used: friction.decay is 0"});
+  EXPECT_EQ(told(scene_with({{"friction.limit_ratio", 0.4}, {"friction.decay", 0.01}})), Texts{});
+
+  EXPECT_EQ(told(scene_with({{"wheelset.align_to", "S1002"}, {"wheelset.profile_shift", -70.0}})),
+            (Texts{"wheelset.align_to is not used: no wheel is read from a file",
+                   "wheelset.profile_shift is not used: no wheel is read from a file"}));
+  EXPECT_EQ(told(scene_with({{"wheelset.align_to", "S1002"}, {"wheelset.wheel", "worn.prw"}})),
+            Texts{});
+
+  EXPECT_EQ(told(scene_with({{"pose.longitudinal", 100.0}, {"pose.pitch", 0.1}})),
+            (Texts{"pose.longitudinal is not used: no rail varies along the track",
+                   "pose.pitch is not used: no wheel varies around its axle"}));
+  const std::vector<double> flat{3.0, 0.1, 0.0};
+  EXPECT_EQ(told(scene_with({{"pose.pitch", 0.1}, {"wheelset.harmonics", flat}})), Texts{});
+  EXPECT_EQ(told(scene_with({{"pose.longitudinal", 1.0}, {"track.rail", "crossing.slcs"}})),
+            Texts{});
+}
+
+TEST(KeyWarnings, WhatAgreesOrIsUnsetIsNoneOfThem) {
   EXPECT_EQ(told(Scene()), Texts{});
   EXPECT_EQ(told(scene_with({{"load.both", 7e4}, {"load.left", 6e4}, {"pose.lateral", 3.0}})),
             Texts{});
@@ -128,7 +150,7 @@ TEST(UnusedKeys, WhatAgreesOrIsUnsetIsNoneOfThem) {
       << "the speed is that of the frictional power";
 }
 
-TEST(UnusedKeys, AreWarningsOfAResultButNotOfAStep) {
+TEST(KeyWarnings, AreWarningsOfAResultButNotOfAStep) {
   Scene scene = scene_with({{"load.both", 7e4},
                             {"motion.pitch", "free"},
                             {"motion.torque", 1e6},
@@ -146,8 +168,43 @@ TEST(UnusedKeys, AreWarningsOfAResultButNotOfAStep) {
   EXPECT_EQ(number_value(result, "warning_count"), static_cast<double>(all.size()));
 }
 
+/// Values whose units are likely to be others; the last one of each is not warned of.
+TEST(KeyWarnings, LoadsSpeedsAndInclinationsThatNoWheelHas) {
+  constexpr WarningClass kind = WarningClass::implausible_input;
+  const auto begin = [](const Texts& texts) {
+    Texts beginnings;
+    for (const std::string& text : texts) {
+      beginnings.push_back(text.substr(0, text.find(' ')));
+    }
+    return beginnings;
+  };
+  const auto named = [&](const Settings& settings) {
+    return begin(told(scene_with(settings), kind));
+  };
+  EXPECT_EQ(named({{"load.both", 80.0}}), Texts{"load.both"});
+  EXPECT_EQ(named({{"load.both", 7e4}, {"load.right", 999.0}}), Texts{"load.right"});
+  EXPECT_EQ(named({{"load.left", 6e4}, {"load.right", 0.0}}), Texts{});
+  EXPECT_EQ(named({{"load.both", 1000.0}}), Texts{});
+
+  EXPECT_EQ(named({{"convention.units", "SI"}, {"motion.standstill_speed", 100.0}}),
+            Texts{"motion.standstill_speed"});
+  EXPECT_EQ(named({{"motion.speed", -1e3}, {"motion.standstill_speed", 101.0}}),
+            Texts{"motion.standstill_speed"});
+  EXPECT_EQ(named({{"motion.speed", 999.0}, {"motion.standstill_speed", 1000.0}}), Texts{});
+  EXPECT_EQ(named({{"motion.speed", -1e3}, {"motion.standstill_speed", 100.0}}), Texts{});
+
+  EXPECT_EQ(named({{"track.inclination", 0.1}}), Texts{"track.inclination"});
+  EXPECT_EQ(named({{"track.inclination", -0.067}}), Texts{"track.inclination"});
+  EXPECT_EQ(named({{"track.inclination", "1:15"}}), Texts{});
+
+  VehicleState state;
+  state.position = {0.0, 0.0, 459.9, 0.0, 0.0, 0.0};
+  Scene light = scene_with({{"load.both", 80.0}});
+  EXPECT_EQ(told(scene_at(light, state), kind), Texts{}) << "a step has no loads";
+}
+
 /// What a scene file holds of defaults sets nothing when it is read, and nothing is lost in it.
-TEST(UnusedKeys, ASceneFileKeepsWhatHasNoEffect) {
+TEST(KeyWarnings, ASceneFileKeepsWhatHasNoEffect) {
   EXPECT_EQ(told(scene_with({{"load.both", 8e4},
                              {"motion.torque", 0.0},
                              {"load.of", "pressures"},
@@ -162,4 +219,4 @@ TEST(UnusedKeys, ASceneFileKeepsWhatHasNoEffect) {
 }
 
 } // namespace
-} // namespace wrc::test::unused_keys_test
+} // namespace wrc::test::key_warnings_test

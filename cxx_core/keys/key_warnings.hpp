@@ -1,13 +1,15 @@
-/// Keys that were set but have no effect, since another one takes their place.
+/// Keys that were set but have no effect, since another one takes their place, and keys with values
+/// in other units, by all appearances.
 ///
 /// One table says which key leaves which others without effect: a prescribed height the loads,
-/// creepages the motion. It counts what a scene holds, so the order
-/// of keys matters where setting one resets another. A key that is set to its default sets nothing.
-/// A check costs some bits, and texts are put together when they are read. Thread rule: plain
-/// values.
+/// creepages the motion; and which values no wheel on a rail has. It counts what a scene holds, so
+/// the order of keys matters where setting one resets another. A key that is set to its default
+/// sets nothing. A check costs some bits, and texts are put together when they are read. Thread
+/// rule: plain values.
 ///
 /// Not found here: a key of both sides that those of each side overrule, and one that has an effect
-/// only with certain values of others, such as solve.tolerance.
+/// only with certain values of others, such as solve.tolerance; creepages, which are those of
+/// patches (creep/creep_warnings.cpp).
 #pragma once
 
 #include <bitset>
@@ -19,10 +21,10 @@
 
 namespace wrc {
 
-class UnusedKeys {
+class KeyWarnings {
 public:
-  UnusedKeys() = default;
-  explicit UnusedKeys(const Scene& scene);
+  KeyWarnings() = default;
+  explicit KeyWarnings(const Scene& scene);
 
   [[nodiscard]] std::size_t count() const { return found_.count(); }
   /// Appends a warning for each: "load.left is not used: pose.vertical is set".

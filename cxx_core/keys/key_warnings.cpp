@@ -1,12 +1,15 @@
-#include "keys/unused_keys.hpp"
+#include "keys/key_warnings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "keys/constants.hpp"
 #include "keys/scene_keys.hpp"
+#include "profile/profile.hpp"
 
 namespace wrc {
 namespace {
@@ -14,8 +17,9 @@ namespace {
 using Condition = bool (*)(const Scene&);
 using Names = std::initializer_list<std::string_view>;
 
-/// A key that has no effect where the condition holds.
+/// A key to warn of where the condition holds.
 struct Row {
+  WarningClass kind = WarningClass::unused_key;
   std::int32_t key = 0;
   std::vector<std::int32_t> causes; ///< of which one took its place; none: the reason says why
   std::string_view reason;          ///< if there are no causes
@@ -26,20 +30,48 @@ bool wants_wear(const Scene& scene) {
   return scene.damage.wear || scene.damage.fatigue;
 }
 
+/// Whether a wheel is read from a file, and may be placed.
+bool is_file(const ProfileChoice& wheel) {
+  return !wheel.given && standard_name(wheel.name, ProfileKind::wheel).empty();
+}
+
+/// Whether it is no load that a wheel carries, and not none.
+bool is_light(double load) {
+  return load > 0.0 && load < least_load;
+}
+
+/// Whether creepages of a motion are made smaller where wheels roll.
+bool slips_while_rolling(const Scene& scene) {
+  const double speed = scene.motion ? std::abs(scene.motion->speed) : 0.0;
+  return scene.standstill_speed > greatest_standstill_speed ||
+         (speed >= greatest_standstill_speed &&
+          scene.standstill_speed > greatest_standstill_share * speed);
+}
+
 const Names loads{"load.both", "load.left", "load.right", "load.of"};
 
-std::vector<Row> make_rows() {
-  std::vector<Row> rows;
-  const auto add = [&rows](Names keys, Names causes, Condition holds,
-                           std::string_view reason = {}) {
+/// Adds rows of one class of warnings.
+class Rows {
+public:
+  Rows(WarningClass kind, std::vector<Row>& rows) : kind_(kind), rows_(rows) {}
+
+  void operator()(Names keys, Names causes, Condition holds, std::string_view reason = {}) {
     for (const std::string_view key : keys) {
-      Row row{key_id(key), {}, reason, holds};
+      Row row{kind_, key_id(key), {}, reason, holds};
       for (const std::string_view cause : causes) {
         row.causes.push_back(key_id(cause));
       }
-      rows.push_back(row);
+      rows_.push_back(row);
     }
-  };
+  }
+
+private:
+  WarningClass kind_;
+  std::vector<Row>& rows_;
+};
+
+void add_unused(std::vector<Row>& rows) {
+  Rows add(WarningClass::unused_key, rows);
   add(loads, {"pose.vertical"}, [](const Scene& s) { return s.vertical.has_value(); });
 
   add({"motion.pitch", "motion.torque", "motion.lateral", "motion.vertical", "motion.roll",
@@ -67,6 +99,21 @@ std::vector<Row> make_rows() {
   add({"friction.right_places"}, {"friction.right", "friction.coefficient"},
       [](const Scene& s) { return s.right.friction.places.empty(); });
 
+  add(
+      {"friction.decay"}, {}, [](const Scene& s) { return s.left.friction.limit_ratio == 1.0; },
+      " is not used: friction.limit_ratio is 1");
+  add(
+      {"friction.limit_ratio"}, {}, [](const Scene& s) { return s.left.friction.decay == 0.0; },
+      " is not used: friction.decay is 0");
+  add(
+      {"wheelset.align_to", "wheelset.profile_origin", "wheelset.profile_shift",
+       "wheelset.profile_rotation"},
+      {}, [](const Scene& s) { return !is_file(s.left.wheel) && !is_file(s.right.wheel); },
+      " is not used: no wheel is read from a file");
+  add({"pose.longitudinal"}, {}, has_prismatic_rails,
+      " is not used: no rail varies along the track");
+  add({"pose.pitch"}, {}, has_round_wheels, " is not used: no wheel varies around its axle");
+
   add({"solve.grid"}, {"solve.accuracy"}, [](const Scene& s) { return !s.grid; });
   add(
       {"solve.results"}, {},
@@ -76,6 +123,34 @@ std::vector<Row> make_rows() {
       {"solve.results"}, {},
       [](const Scene& s) { return wants_wear(s) && !s.has_creepages() && !s.motion; },
       ": no wear or fatigue without creep forces, which keys of creepage.* or motion.* request");
+}
+
+void add_implausible(std::vector<Row>& rows) {
+  Rows add(WarningClass::implausible_input, rows);
+  constexpr std::string_view light = " is below 1 kN, which hardly any wheel carries: it is in N";
+  add(
+      {"load.both"}, {},
+      [](const Scene& s) { return is_light(s.left.load) && is_light(s.right.load); }, light);
+  add(
+      {"load.left"}, {}, [](const Scene& s) { return is_light(s.left.load); }, light);
+  add(
+      {"load.right"}, {}, [](const Scene& s) { return is_light(s.right.load); }, light);
+  add(
+      {"motion.standstill_speed"}, {}, [](const Scene& s) { return slips_while_rolling(s); },
+      " is above 1 m/s or a tenth of the speed, so that creep forces are too small: it is in m/s "
+      "if convention.units is \"SI\", else in mm/s");
+  add(
+      {"track.inclination"}, {},
+      [](const Scene& s) { return std::abs(s.track.inclination) > steepest_inclination; },
+      " is more than 1:15, rails have 1:20 to 1:40: it is the inclination of each rail, not the "
+      "cant "
+      "of the track");
+}
+
+std::vector<Row> make_rows() {
+  std::vector<Row> rows;
+  add_unused(rows);
+  add_implausible(rows);
   return rows;
 }
 
@@ -110,7 +185,7 @@ std::string name_of_key(std::int32_t key) {
 
 } // namespace
 
-UnusedKeys::UnusedKeys(const Scene& scene) : given_(scene.given) {
+KeyWarnings::KeyWarnings(const Scene& scene) : given_(scene.given) {
   if ((scene.given & table().keys).none()) {
     return;
   }
@@ -125,7 +200,7 @@ UnusedKeys::UnusedKeys(const Scene& scene) : given_(scene.given) {
   }
 }
 
-void UnusedKeys::append_to(Warnings& all) const {
+void KeyWarnings::append_to(Warnings& all) const {
   for (std::size_t place = 0; place < table().rows.size(); ++place) {
     if (!found_[place]) {
       continue;
@@ -138,7 +213,7 @@ void UnusedKeys::append_to(Warnings& all) const {
     const std::string reason = row.causes.empty()
                                    ? std::string(row.reason)
                                    : " is not used: " + name_of_key(*cause) + " is set";
-    all.push_back({WarningClass::unused_key, name_of_key(row.key) + reason});
+    all.push_back({row.kind, name_of_key(row.key) + reason});
   }
 }
 

@@ -1,0 +1,26 @@
+#include "profile/crown.hpp"
+
+#include <algorithm>
+
+#include "profile/constants.hpp"
+
+namespace wrc {
+
+std::size_t crown_among(std::span<const double> heights) {
+  const auto highest = std::max_element(heights.begin(), heights.end());
+  auto lowest = highest;
+  auto head = heights.end(); // the highest place behind the groove
+  for (auto at = highest; at != heights.end(); ++at) {
+    if (head != heights.end()) {
+      head = *at > *head ? at : head;
+    } else if (*at < *lowest) {
+      lowest = at;
+    } else if (*at > *lowest + least_groove) {
+      head = at;
+    }
+  }
+  const bool is_guarded = head != heights.end() && *highest - *head > least_guard_height;
+  return static_cast<std::size_t>((is_guarded ? head : highest) - heights.begin());
+}
+
+} // namespace wrc
