@@ -4,7 +4,6 @@
 !>     use wrcontact, only: contact_scene
 !>     type(contact_scene) :: scene
 !>     call scene%create()
-!>     call scene%set('pose.lateral', 3.0_real64)
 !>     call scene%set('track.rail', '54E3')
 !>     call scene%set('solve.grid', [256, 128])
 !>     call scene%solve()

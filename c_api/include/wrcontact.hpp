@@ -273,15 +273,11 @@ public:
   }
   /// "MPa", "N mm/s", ... by convention.units. Since 0.3.
   std::string number_unit(const std::string& name) const {
-    const char* unit = nullptr;
-    check(wrc_scene_number_unit(handle(), name.c_str(), &unit));
-    return unit;
+    return value_of<const char*>(wrc_scene_number_unit, name.c_str());
   }
   /// Of a key: "mm", or "" if it holds no number. Since 0.4.
   std::string key_unit(const std::string& key) const {
-    const char* unit = nullptr;
-    check(wrc_scene_key_unit(handle(), key.c_str(), &unit));
-    return unit;
+    return value_of<const char*>(wrc_scene_key_unit, key.c_str());
   }
   /// Sets all or, if one is refused, none. Ids (std::int32_t) and values (double) are a
   /// std::vector, a std::array or the like, of the same length. Since 0.3.

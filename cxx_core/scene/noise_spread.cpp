@@ -6,7 +6,6 @@
 #include <limits>
 #include <vector>
 
-#include "accuracy/constants.hpp"
 #include "base/error.hpp"
 #include "measured/constants.hpp"
 #include "scene/number_tables.hpp"
@@ -31,6 +30,10 @@ constexpr double likely_accuracy = 1e-2;
 /// result is not to be used.
 /// origin: reasoned: points with a spread of 20 % do not say what a pressure is.
 constexpr double usable_spread = 0.1;
+
+/// Elements that all lines have together, if solve.element_limit is not set.
+/// origin: derived: the most that one solution then has.
+constexpr double usual_element_limit = 1e5;
 
 /// Elements that a line has in any case.
 /// origin: bound: the least that solve.element_limit permits.
@@ -76,7 +79,7 @@ Scene scene_with(const NoisyScene& noisy, const Line& line) {
   take_curve(scene.right.rail, ProfileKind::rail, noisy.right_rail, line);
   scene.accuracy = std::max(scene.accuracy, likely_accuracy);
   // All lines together take no more elements than one solution may.
-  scene.element_limit = std::max(scene.element_limit.value_or(default_element_limit) / likely_lines,
+  scene.element_limit = std::max(scene.element_limit.value_or(usual_element_limit) / likely_lines,
                                  least_element_limit);
   scene.grid.reset();
   scene.tolerance = Scene().tolerance;
