@@ -207,13 +207,15 @@ def warnings_of_outcome(outcome: Result | Error) -> list[Graded]:
 
 def solve_without_warning(scenes: Sequence[Scene], threads: int) -> list[Result | Error]:
     """As solve_batch."""
+    if len(set(map(id, scenes))) < len(scenes):
+        raise error_of(lib.WRC_INVALID_ARGUMENT, "scenes: one is given twice; all must differ")
     handles = ffi.new("wrc_scene *[]", [scene._handle for scene in scenes])
     untouched = -1
     statuses = ffi.new("wrc_status[]", [untouched] * len(scenes))
     status = lib.wrc_solve_batch(handles, len(scenes), threads, statuses)
     if status != 0 and untouched in statuses:
         raise error_of(status, "" if status != lib.WRC_INVALID_ARGUMENT else
-                       f"threads is {threads}; must be between 1 and 1024, and all scenes must differ")
+                       f"threads is {threads}; must be between 1 and 1024")
     return [_outcome(scene, one) for scene, one in zip(scenes, statuses)]
 
 

@@ -67,7 +67,7 @@ def test_a_batch_gives_the_same_bits_on_any_number_of_threads():
     assert isinstance(results[1], wrcontact.NoContact) and results[2].left.pmax == expected[2]
     with pytest.raises(wrcontact.InvalidArgument, match="between 1 and 1024"):
         wrcontact.solve_batch(scenes, threads=0)
-    with pytest.raises(wrcontact.InvalidArgument):
+    with pytest.raises(wrcontact.InvalidArgument, match="given twice"):
         wrcontact.solve_batch([scenes[0]] * 2)
 
 
