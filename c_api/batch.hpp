@@ -33,7 +33,8 @@ wrc_status take_all(const char* name, Handle* const* handles, int64_t count,
       const bool is_twice = std::find(handles, handles + i, handles[i]) != handles + i;
       error = name + (count > 1 ? '[' + std::to_string(i) + ']' : std::string()) + ": " +
               (is_twice ? "the same handle as another one: they must all be different"
-                        : reason_of(*handle));
+               : handles[i] == nullptr ? "NULL: a handle must be given"
+                                       : reason_of(*handle));
       return handle->exists() && !is_twice ? WRC_BUSY : WRC_INVALID_ARGUMENT;
     }
   }

@@ -40,6 +40,11 @@ inline constexpr double ordered_share = 0.1;
 /// origin: bound: of work; a block has two ends.
 inline constexpr std::size_t most_begins = 3;
 inline constexpr std::size_t most_ordered = 5000;
+/// A line is not put in an order in which it lies closer than the second to parts of itself that
+/// are farther than the first along it, mm: it is two scans that do not fit.
+/// origin: reasoned: lips are up to 5 mm long on both sides, flanges 25 mm thick.
+inline constexpr double longest_lip = 15.0;
+inline constexpr double farthest_beside = 5.0;
 /// Ends of an outline are so close, in median distances and as a fraction of its length, that
 /// another point would stand between them if it was open. origin: reasoned: measurements end where
 /// they began or 70 mm away.

@@ -130,6 +130,38 @@ std::vector<Position> nearest_from(std::size_t first, std::vector<Position> left
   return ordered;
 }
 
+/// Length over which a line lies beside itself: two scans of one profile that do not fit, and not
+/// the two sides of a lip.
+double length_beside_itself(std::span<const Position> line) {
+  std::vector<double> along{0.0};
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    along.push_back(along.back() + distance_between(line[i - 1], line[i]));
+  }
+  double length = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    for (std::size_t j = 0; j < line.size(); ++j) {
+      if (std::abs(along[i] - along[j]) > longest_lip &&
+          distance_between(line[i], line[j]) < farthest_beside) {
+        length += along[i] - along[i - 1];
+        break;
+      }
+    }
+  }
+  return length;
+}
+
+/// How often a line turns sharply: between two scans beside each other at every point.
+std::size_t sharp_turns(std::span<const Position> line) {
+  std::size_t count = 0;
+  for (std::size_t i = 2; i < line.size(); ++i) {
+    const bool apart = distance_between(line[i - 2], line[i - 1]) > same_point &&
+                       distance_between(line[i - 1], line[i]) > same_point;
+    count += apart &&
+             std::abs(angle_between(line[i - 2], line[i - 1], line[i - 1], line[i])) > end_corner;
+  }
+  return count;
+}
+
 } // namespace
 
 void order_points(RawProfile& raw, Log& log) {
@@ -158,7 +190,8 @@ void order_points(RawProfile& raw, Log& log) {
       best = std::move(ordered);
     }
   }
-  if (!best.empty()) {
+  if (!best.empty() && sharp_turns(best) <= sharp_turns(raw.points) &&
+      length_beside_itself(best) < longest_lip) {
     raw.points = std::move(best);
     log.guess("points put in order, each the nearest one to that before: " +
                   fixed_text(given.length, 0) + " mm of jumps became " + fixed_text(least, 0),

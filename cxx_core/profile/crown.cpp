@@ -1,6 +1,7 @@
 #include "profile/crown.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "profile/constants.hpp"
 
@@ -19,7 +20,9 @@ std::size_t crown_among(std::span<const double> heights) {
       head = at;
     }
   }
-  const bool is_guarded = head != heights.end() && *highest - *head > least_guard_height;
+  // What is higher than a head at height 0; below one, planks and clips are no head.
+  const bool is_guarded = head != heights.end() && *highest - *head > least_guard_height &&
+                          std::abs(*head) < std::abs(*highest);
   return static_cast<std::size_t>((is_guarded ? head : highest) - heights.begin());
 }
 

@@ -53,7 +53,8 @@ struct Profile {
 std::vector<std::string_view> standard_profile_names(ProfileKind kind);
 
 /// The name of the built-in profile that is meant: in capitals or not, a rail also by its name
-/// before EN 13674-1 (UIC60, S49). Empty if there is none of that kind.
+/// before EN 13674-1 (UIC60, S49), unless there is a file of that spelling. Empty if there is none
+/// of that kind.
 std::string_view standard_name(std::string_view name, ProfileKind kind);
 
 /// A built-in profile, by any of its names. Throws Error(unknown_name), listing the permitted

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 #include "base/error.hpp"
 #include "base/lower_case.hpp"
@@ -27,7 +29,7 @@ constexpr std::array<OldName, 7> old_names{{{"uic60", "60E1"},
 
 const TableProfile& entry_of(std::string_view name) {
   for (const TableProfile& entry : standard_table()) {
-    if (entry.name == standard_name(name, entry.kind)) {
+    if (entry.name == name || entry.name == standard_name(name, entry.kind)) {
       return entry;
     }
   }
@@ -80,12 +82,17 @@ std::vector<std::string_view> standard_profile_names(ProfileKind kind) {
 }
 
 std::string_view standard_name(std::string_view name, ProfileKind kind) {
+  const std::vector<std::string_view> names = standard_profile_names(kind);
+  if (const auto exact = std::find(names.begin(), names.end(), name); exact != names.end()) {
+    return *exact;
+  }
   const std::string wanted = lower_case(name);
   const auto* const old = std::find_if(old_names.begin(), old_names.end(),
                                        [&](const OldName& each) { return each.old == wanted; });
-  for (const std::string_view known : standard_profile_names(kind)) {
+  for (const std::string_view known : names) {
     if (old != old_names.end() ? known == old->name : lower_case(known) == wanted) {
-      return known;
+      std::error_code unseen;
+      return std::filesystem::exists(name, unseen) ? std::string_view() : known;
     }
   }
   return {};

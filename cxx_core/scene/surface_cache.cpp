@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sys/stat.h>
 #include <utility>
 
 #include "base/error.hpp"
@@ -230,11 +231,23 @@ std::vector<FileStamp> stamps_of(const ProfileChoice& choice, const ProfilePlace
   std::vector<FileStamp> stamps;
   for (const std::string& name : {choice.name, placement.align_to}) {
     std::error_code unseen;
-    FileStamp stamp{std::filesystem::file_size(name, unseen), {}};
+    FileStamp stamp;
+    stamp.size = std::filesystem::file_size(name, unseen);
     if (unseen) {
       stamp.size = 0;
     } else {
       stamp.time = std::filesystem::last_write_time(name, unseen);
+      struct stat status {};
+      if (stat(name.c_str(), &status) == 0) {
+        stamp.device = static_cast<std::int64_t>(status.st_dev);
+        stamp.file = static_cast<std::int64_t>(status.st_ino);
+#ifdef __linux__
+        constexpr std::int64_t nano = 1000000000;
+        stamp.changed = nano * status.st_ctim.tv_sec + status.st_ctim.tv_nsec;
+#else
+        stamp.changed = static_cast<std::int64_t>(status.st_ctime);
+#endif
+      }
     }
     stamps.push_back(stamp);
   }

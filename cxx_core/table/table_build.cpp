@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "table/constants.hpp"
+#include "table/table_file.hpp"
 #include "table/table_nodes.hpp"
 
 namespace wrc {
@@ -316,6 +317,12 @@ ContactTable build_table(const Scene& scene, const TableOptions& options,
                          const SceneSolver& solver) {
   check_options(options, scene.convention.units);
   check_scene_of_table(scene);
+  for (const std::string& name : {scene.left.wheel.name, scene.left.rail.name}) {
+    if (!is_name_of_table(name)) {
+      throw_invalid_argument("a profile's name", name,
+                             "must be text of one line, which a table's file keeps");
+    }
+  }
   if (scene.left.friction.coefficient != scene.right.friction.coefficient) {
     throw_invalid_argument("friction.right", scene.right.friction.coefficient,
                            "a table has the friction of both wheels: that of the left one is " +

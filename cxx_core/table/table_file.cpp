@@ -78,8 +78,7 @@ public:
       refuse("a name of " + std::to_string(size) + " bytes");
     }
     value = next(static_cast<std::size_t>(size));
-    if (std::any_of(value.begin(), value.end(),
-                    [](unsigned char letter) { return letter < 0x20 || letter == 0x7F; })) {
+    if (!is_name_of_table(value)) {
       refuse("a name that is no text of one line");
     }
   }
@@ -273,6 +272,12 @@ ContactTable table_from_text(std::string_view text) {
 
 void write_table(const ContactTable& table, const std::filesystem::path& path) {
   write_file(path, text_of_table(table));
+}
+
+bool is_name_of_table(std::string_view name) {
+  return name.size() <= longest_name &&
+         std::none_of(name.begin(), name.end(),
+                      [](unsigned char letter) { return letter < 0x20 || letter == 0x7F; });
 }
 
 ContactTable read_table(const std::filesystem::path& path) {

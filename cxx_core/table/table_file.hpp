@@ -14,6 +14,9 @@
 
 namespace wrc {
 
+/// Whether a file of a table can have it: text of one line, 4096 bytes at most.
+bool is_name_of_table(std::string_view name);
+
 std::string text_of_table(const ContactTable& table);
 /// Throws Error(file_malformed) that says what is wrong.
 ContactTable table_from_text(std::string_view text);

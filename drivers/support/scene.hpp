@@ -99,7 +99,7 @@ inline std::vector<std::string> sides_of(const Scene& scene) {
   return sides;
 }
 
-/// Whether a profile of this name is built in.
+/// Whether a profile of this name is built in; in another spelling a file of that name comes first.
 inline bool is_standard(const std::string& name) {
   const Profile profile;
   return wrc_profile_load_standard(profile.handle(), name.c_str()) == WRC_OK;

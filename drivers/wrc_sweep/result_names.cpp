@@ -116,7 +116,7 @@ std::string hint_for(const std::string& name) {
     (void)Scene().number_id(name);
   } catch (const wrcontact::Error& error) {
     const std::string text = error.what();
-    for (const char* hint : {"use ", "nearest: "}) {
+    for (const char* hint : {"any more: ", "nearest: "}) {
       if (const std::size_t at = text.rfind(hint); at != std::string::npos) {
         return "; " + text.substr(at);
       }

@@ -67,7 +67,7 @@ if [ "$status" -ne 3 ]; then
   exit 1
 fi
 "$chromium" "${options[@]}" --dump-dom "file://$folder/names.html" 2>"$folder/log" >"$folder/dom"
-title="&lt;/script&gt;&lt;script&gt;document.body.id='ran'&lt;/script&gt; &lt;!-- &lt;script&gt; {pose.yaw}"
+title="&lt;/script&gt;&lt;script&gt;document.body.id='ran'&lt;/script&gt; &lt;!-- &lt;script&gt; 0"
 if ! grep -qF "<h1 id=\"title\">$title</h1>" "$folder/dom" ||
   ! grep -qF '<output>&lt;!-- &lt;script</output>' "$folder/dom" ||
   grep -qE '<body id=|<img' "$folder/dom"; then

@@ -45,6 +45,21 @@ TEST(ProfileCleaning, SinglePointsOffTheLineAreRemovedAndKeptForPictures) {
   EXPECT_EQ(log.guesses(), 1U) << "6 mm are no scatter";
 }
 
+/// A line that runs to its end and back beside itself is no profile.
+TEST(ProfileCleaning, TwoScansThatDoNotFitAreNotPutInOrder) {
+  for (const double apart : {0.5, 1.5}) {
+    Log log("file", false);
+    std::vector<Position> points;
+    for (int i = 0; i < 200; ++i) {
+      points.push_back({0.25 * i, 0.0});
+      points.push_back({0.25 * i, apart});
+    }
+    RawProfile raw = raw_of(points);
+    order_points(raw, log);
+    EXPECT_EQ(raw.points, points) << apart;
+  }
+}
+
 TEST(ProfileCleaning, ACornerIsNotAnOutlier) {
   Log log("file", false);
   std::vector<Position> points;

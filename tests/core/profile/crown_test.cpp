@@ -22,6 +22,10 @@ TEST(Crown, IsNotTheEdgeOfAGuardRail) {
   EXPECT_EQ(crown({0.0, 20.0, 19.0, -30.0, -14.0, -1.0, 0.0, -1.0, -37.0}), 6U);
 }
 
+TEST(Crown, IsNotWhatLiesBesideTheHead) {
+  EXPECT_EQ(crown({-30.0, 0.0, -60.0, -29.0}), 1U) << "planks behind the field side";
+}
+
 TEST(Crown, MayBeThatOfABladeOrBesideAGroove) {
   EXPECT_EQ(crown({-30.0, 3.0, -30.0, 0.0, -37.0}), 1U) << "a blade stands a few mm higher";
   EXPECT_EQ(crown({0.0, 20.0, 4.0, 10.0, -5.0}), 1U) << "no groove";

@@ -1,6 +1,8 @@
 /// Built-in profiles: names, junctions, gauge dimensions, constructions.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -428,6 +430,22 @@ TEST(StandardProfiles, CornersOfTheRails) {
   EXPECT_NEAR(corner("CHN60").height, -36.333333, 1e-6);
   EXPECT_NEAR(corner("UIC60-Manchester").lateral, 37.1614, 1e-4);
   EXPECT_NEAR(corner("UIC60-Manchester").height, -37.4868, 1e-4);
+}
+
+TEST(StandardProfiles, AFileOfAnotherSpellingComesFirst) {
+  const std::filesystem::path before = std::filesystem::current_path();
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / "wrcontact_names";
+  std::filesystem::create_directories(folder);
+  std::filesystem::current_path(folder);
+  EXPECT_EQ(standard_name("s49", ProfileKind::rail), "49E1");
+  std::ofstream("s49") << "0 0\n";
+  std::ofstream("49E1") << "0 0\n";
+  EXPECT_EQ(standard_name("s49", ProfileKind::rail), "");
+  EXPECT_EQ(standard_name("S49", ProfileKind::rail), "49E1");
+  EXPECT_EQ(standard_name("49E1", ProfileKind::rail), "49E1") << "its own name";
+  std::filesystem::current_path(before);
+  std::filesystem::remove_all(folder);
 }
 
 } // namespace

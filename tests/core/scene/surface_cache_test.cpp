@@ -106,6 +106,23 @@ TEST(SurfaceCache, OfOneSceneReadsAFileAgainWhenItHasChanged) {
   EXPECT_NE(changed.left.wheel, kept.left.wheel);
 }
 
+/// As copies that keep their time, and links that point elsewhere from now on.
+TEST(SurfaceCache, OfOneSceneReadsAnotherFileOfTheSameNameSizeAndTime) {
+  const Folder folder;
+  SurfaceCache cache(SurfaceCache::For::one_scene);
+  Scene scene;
+  const std::filesystem::path name = folder.path / "a.wheel";
+  const std::filesystem::path other = folder.path / "b.wheel";
+  scene.left.wheel.name = scene.right.wheel.name = name.string();
+  write_wheel(name, 0.25);
+  std::filesystem::copy_file(name, other);
+  std::fstream(other) << "-6"; // -60 instead of -70 mm
+  std::filesystem::last_write_time(other, std::filesystem::last_write_time(name));
+  (void)cache.get(scene);
+  std::filesystem::rename(other, name);
+  EXPECT_GT(cache.get(scene).profile_milliseconds, 0.0);
+}
+
 /// The one used last stays, the one not used for longest goes.
 TEST(RecentSurfaces, KeepsRecentlyUsedSurfaces) {
   RecentSurfaces<WheelSurface, WheelsetDimensions> recent(8);
