@@ -75,4 +75,15 @@ ExpectedContact expected_contact(const ContactPatch& penetration, const ContactF
   return contact;
 }
 
+ExpectedContact expected_contact(const ContactPatch& lobe, const PlaneArea& area) {
+  ExpectedContact contact;
+  contact.mean_x = lobe.mean_x;
+  contact.mean_y = lobe.mean_y;
+  contact.width = area.width();
+  contact.length = area.length();
+  contact.scale = {2.0 * lobe.semi_across, 2.0 * lobe.semi_along};
+  contact.middle = -area.lateral_first / area.width(); // where its frame is
+  return contact;
+}
+
 } // namespace wrc

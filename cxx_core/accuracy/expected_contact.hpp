@@ -35,4 +35,7 @@ ExpectedContact expected_contact(const ContactPatch& penetration, const ContactF
                                  const PlaneArea& area,
                                  std::span<const patch_finding::LocusSample<double>> samples);
 
+/// The same of a lobe whose semi-axes are known.
+ExpectedContact expected_contact(const ContactPatch& lobe, const PlaneArea& area);
+
 } // namespace wrc

@@ -6,6 +6,32 @@
 #include "remesh/met_distance.hpp"
 
 namespace wrc {
+namespace {
+
+struct PatchLoad {
+  ContactForce force;
+  double normal = 0.0;
+  void add(double share, const PatchLoad& other) {
+    force.force = force.force + share * other.force.force;
+    force.moment = force.moment + share * other.force.moment;
+    normal += share * other.normal;
+  }
+};
+
+/// Of all patches of one penetration, about a place.
+PatchLoad load_of_whole(const GridSolution& solution, std::size_t whole, const Vector3& about) {
+  PatchLoad sum;
+  for (const Patch& patch : solution.patches) {
+    if (patch.penetration.whole == whole) {
+      const auto& [force, moment] = patch.contact_force;
+      sum.add(1.0,
+              {{force, moment + cross(patch.frame.origin - about, force)}, patch.normal_force});
+    }
+  }
+  return sum;
+}
+
+} // namespace
 
 double Patch::overlap() const {
   const double least = least_of(undeformed_distance.data(), undeformed_distance.size());
@@ -72,6 +98,36 @@ double GridSolution::sharpest_ridge() const {
     sharpest = std::max(sharpest, patch.ridge);
   }
   return sharpest;
+}
+
+void GridSolution::mix(std::span<const GridSolution> others) {
+  if (others.empty()) {
+    return;
+  }
+  std::vector<PatchLoad> changes;
+  for (const Patch& patch : patches) {
+    const auto load_of = [&patch](const GridSolution& solution) {
+      return load_of_whole(solution, patch.penetration.whole, patch.frame.origin);
+    };
+    const PatchLoad now = load_of(*this);
+    PatchLoad change;
+    for (const GridSolution& other : others) {
+      change.add(other.share, load_of(other));
+      change.add(-other.share, now);
+    }
+    PatchLoad& of_patch = changes.emplace_back();
+    of_patch.add(now.normal > 0.0 ? patch.normal_force / now.normal : 0.0, change);
+  }
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    PatchLoad load{patches[k].contact_force, patches[k].normal_force};
+    load.add(1.0, changes[k]);
+    patches[k].contact_force = load.force;
+    patches[k].normal_force = load.normal;
+  }
+  const double before = depth;
+  for (const GridSolution& other : others) {
+    depth += other.share * (other.depth - before);
+  }
 }
 
 std::vector<PlanePatches> GridSolution::patches_by_plane(bool solved) const {

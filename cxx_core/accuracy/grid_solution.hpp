@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mechanics/normal_contact.hpp"
@@ -66,6 +67,7 @@ struct GridSolution {
   std::vector<Patch> patches; ///< ordered by y
   std::vector<double> links;  ///< coupling weight of each patch and the next
   std::size_t main = 0;       ///< the patch that holds the first contact
+  double share = 1.0;         ///< in the forces, where they are those of several solutions
   StopReason stop_reason = StopReason::tolerance_met;
   double pressure_error = 0.0;
   std::optional<PatchInteraction> interaction; ///< none: the patches do not interact
@@ -78,6 +80,9 @@ struct GridSolution {
   /// Force of the patches in the plane of the main one.
   [[nodiscard]] Vector3 force_of_main() const;
   [[nodiscard]] double sharpest_ridge() const;
+  /// Of a solution and others of the same penetrations on other grids: depth and forces become
+  /// those by their shares.
+  void mix(std::span<const GridSolution> others);
   /// Largest normal force first; without the patches that do not touch, if there are pressures.
   [[nodiscard]] std::vector<PlanePatches> patches_by_plane(bool solved) const;
 };

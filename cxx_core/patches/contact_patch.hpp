@@ -37,12 +37,19 @@ struct ContactPatch {
   /// neighbour, infinite on the outside.
   double limit_first = -std::numeric_limits<double>::infinity();
   double limit_last = std::numeric_limits<double>::infinity();
-  int lobes = 1;        ///< joined in it
-  std::size_t scan = 0; ///< that it was found in, of several
+  /// Of a lobe with a grid of its own: semi-axes of the contact expected (wheel/own_lobes.hpp); 0
+  /// for others, whose grids span their penetration.
+  double semi_across = 0.0;
+  double semi_along = 0.0;
+  std::size_t whole = 0; ///< the patch that it is a lobe of
+  int lobes = 1;         ///< joined in it
+  std::size_t scan = 0;  ///< that it was found in, of several
   bool shares_plane_with_previous =
       false;                ///< shares its plane with the patch before: both are one contact
   bool joins_scans = false; ///< found in several, of which `scan` has the deepest point
 
+  /// As a lobe of a patch.
+  [[nodiscard]] bool has_own_grid() const { return semi_across > 0.0; }
   /// Whether the deepest point of another patch, at another depth, lies in this one.
   [[nodiscard]] bool holds(const ContactPatch& other) const {
     return y_first <= other.deepest_y && other.deepest_y <= y_last;

@@ -38,6 +38,7 @@ template <class Real> struct LocusSample {
   Real second = 0.0;     ///< derivative of the penetration
   Real slope_rate = 0.0; ///< of the rail's slope, by y
   Real rise = 0.0;       ///< slope of the rail along the track
+  bool node = true;      ///< of the scan, which no top comes or goes with
 };
 
 /// From the curvature in rolling direction to that of distances along the rail. With yaw these
@@ -181,6 +182,7 @@ private:
   void collect_top(const Top& top) {
     contact_place_ = top.is_first ? places_.size() : contact_place_;
     place(source_.place_of(*top.contact, top.is_first ? depth_ : limit_ - top.contact->distance));
+    places_.back().node = false;
   }
 
   /// All stretches of the scan in which there may be penetration.
@@ -225,7 +227,9 @@ private:
         collect_top(*top);
         is_node = is_node || is_same(samples_[i].wheel, top->contact->wheel);
       }
-      if (!is_node) {
+      if (is_node) {
+        places_.back().node = true;
+      } else {
         place(source_.place_of(samples_[i], limit_));
       }
     }

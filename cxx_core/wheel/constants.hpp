@@ -152,4 +152,46 @@ inline constexpr double stress_error_by_crest = 2.5;
 /// origin: reasoned: less does not show in the three digits that are printed.
 inline constexpr double least_share_said = 0.01;
 
+/// Lobes of a patch that may have grids of their own; of more, those with the deepest valleys.
+/// origin: bound: rough profiles have many, which no pressure shows.
+inline constexpr std::size_t most_lobes = 4;
+
+/// Share of the load above which the elements of a lobe approach those of the whole patch, or with
+/// creep forces the forces those on one grid.
+/// origin: reasoned: a lobe that is born or lifts bears nothing at first.
+inline constexpr double nearly_all = 0.97;
+
+/// Approach of a lobe, over the deepest overlap, below which its elements hardly shrink, ...
+/// origin: measured (S1002 on 60E1, 5.737 mm): displacements by the other lobe are estimated to
+/// 0.004 of it; elements that vanish with the approach leave a step of 20 N where a lobe lifts.
+inline constexpr double least_lobe_approach = 0.005;
+
+/// ... and how far it is lifted where its grid ends.
+/// origin: reasoned: see least_lobe_approach; no pressure is left there.
+inline constexpr double lifted_approach = 0.03;
+
+/// Depth of a valley between two lobes, over the deepest overlap, below which their own grids give
+/// way to one, which knows no valley.
+/// origin: measured (S1002 on 54E2, 3.14 to 3.24 mm): the error of one grid grows with the valley
+/// there, from 2e-4 of the load to 1.6e-3 at 0.01; twice as large bends forces for longer.
+inline constexpr double vanishing_valley = 0.003;
+
+/// Half the sides of the grid of a lobe in semi-axes of the expected contact: across the rail ...
+/// origin: measured (24000 wheels, S1002 and LMA on ten rails, 20 to 130 kN): contact reaches the
+/// ends of grids of 2.25 and 1.3 on 1.2 % of them, of these on 0.04 %; where the grid cuts it,
+/// forces and slopes of the energy differ by 1e-3.
+inline constexpr double lobe_grid_widths = 2.0;
+
+/// ... and along it.
+/// origin: measured: see lobe_grid_widths.
+inline constexpr double lobe_grid_lengths = 1.8;
+
+/// Change of a load, over all of them, at which loads and displacements of lobes agree.
+/// origin: derived: sizes of elements then change by less than 1e-8.
+inline constexpr double lobe_load_accuracy = 1e-7;
+
+/// Passes over the lobes.
+/// origin: bound: each one gains about a digit; two lobes take 7 to 18.
+inline constexpr int lobe_passes = 40;
+
 } // namespace wrc

@@ -13,6 +13,7 @@
 #include "remesh/mean_curve.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "wheel/constants.hpp"
+#include "wheel/own_lobes.hpp"
 
 namespace wrc {
 namespace {
@@ -172,6 +173,42 @@ double share_along_rows(double share, const PlaneArea& area, const ContactFrame&
   return (place - rows.lateral_first) / rows.width();
 }
 
+GridSolution plan_of(ContactPatches found, const RailSurface& rail,
+                     const SideEquilibrium& equilibrium, const WheelRequest& request,
+                     double depth) {
+  GridSolution solution;
+  solution.elements = request.elements;
+  solution.depth = depth;
+  for (const ContactPatch& penetration : found.patches) {
+    Patch& patch = solution.patches.emplace_back();
+    patch.penetration = penetration;
+    // Through the weighted mean point on the rail.
+    const Vector3 origin{penetration.mean_x, penetration.mean_y,
+                         height_near(rail, penetration.mean_x, penetration.mean_y)};
+    patch.frame = request.gap == GapConvention::tangent
+                      ? tangent_frame(origin, penetration.angle, penetration.rise)
+                      : vertical_frame(origin, Rotation(equilibrium.pose));
+  }
+  solution.main = found.main;
+  set_interaction(solution, found, request.interaction);
+  solution.links = std::move(found.links);
+  return solution;
+}
+
+/// About its middle, between the saddles: pressures of two lobes may join there. The number of its
+/// elements follows from the accuracy alone, so that none comes or goes.
+Grid grid_of_lobe(const ContactPatch& lobe, PlaneArea area, const PatchElements& elements,
+                  double middle) {
+  const double rows = std::floor(lobe_grid_widths * lobe.semi_across / elements.lateral_step);
+  const double columns = std::ceil(lobe.half_length / elements.longitudinal_step);
+  area.lateral_first = std::max(area.lateral_first, middle - rows * elements.lateral_step);
+  area.lateral_last = std::min(area.lateral_last, middle + rows * elements.lateral_step);
+  const double along = 0.5 * (area.longitudinal_first + area.longitudinal_last);
+  area.longitudinal_first = along - columns * elements.longitudinal_step;
+  area.longitudinal_last = along + columns * elements.longitudinal_step;
+  return grid_over(area, 2 * static_cast<std::size_t>(rows), 2 * static_cast<std::size_t>(columns));
+}
+
 } // namespace
 
 const PatchElements& GridChoice::nearest(const ContactPatch& penetration) const {
@@ -186,6 +223,11 @@ Grid GridChoice::grid_of(const Patch& patch, const PlaneArea& area) const {
     return grid_over(rows, counts_.lateral, counts_.longitudinal);
   }
   const PatchElements& elements = nearest(patch.penetration);
+  if (patch.penetration.has_own_grid()) {
+    const double share = share_along_rows(elements.middle, area, patch.frame);
+    return grid_of_lobe(patch.penetration, rows, elements,
+                        std::lerp(rows.lateral_first, rows.lateral_last, share));
+  }
   return grid_with_sizes(rows, elements.lateral_step, elements.longitudinal_step,
                          share_along_rows(elements.middle, area, patch.frame));
 }
@@ -206,27 +248,30 @@ int affordable_iterations(double elements, double limit) {
 
 GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equilibrium,
                           const WheelRequest& request, double depth) {
-  GridSolution solution;
-  solution.elements = request.elements;
-  solution.depth = depth;
   ContactPatches found = find_contact_patches(equilibrium.scans(), depth, request);
+  std::optional<double> left_out_s;
   if (request.gap == GapConvention::vertical) {
-    found = in_one_plane(found, solution.left_out_s);
+    found = in_one_plane(found, left_out_s);
   }
-  for (const ContactPatch& penetration : found.patches) {
-    Patch& patch = solution.patches.emplace_back();
-    patch.penetration = penetration;
-    // Through the weighted mean point on the rail.
-    const Vector3 origin{penetration.mean_x, penetration.mean_y,
-                         height_near(rail, penetration.mean_x, penetration.mean_y)};
-    patch.frame = request.gap == GapConvention::tangent
-                      ? tangent_frame(origin, penetration.angle, penetration.rise)
-                      : vertical_frame(origin, Rotation(equilibrium.pose));
-  }
-  solution.main = found.main;
-  set_interaction(solution, found, request.interaction);
-  solution.links = std::move(found.links);
+  GridSolution solution = plan_of(std::move(found), rail, equilibrium, request, depth);
+  solution.left_out_s = left_out_s;
   return solution;
+}
+
+std::vector<GridSolution> plan_ways(const RailSurface& rail, const SideEquilibrium& equilibrium,
+                                    const WheelRequest& request, double depth) {
+  const ContactPatches found = find_contact_patches(equilibrium.scans(), depth, request);
+  if (request.gap == GapConvention::vertical) {
+    return {plan_patches(rail, equilibrium, request, depth)};
+  }
+  std::vector<GridSolution> plans;
+  const std::vector<patch_finding::LocusSample<double>> samples =
+      locus_samples(equilibrium.scan, depth);
+  for (GridWay& way : ways_with_own_lobes(found, samples)) {
+    plans.push_back(plan_of(std::move(way.patches), rail, equilibrium, request, depth));
+    plans.back().share = way.share;
+  }
+  return plans;
 }
 
 void set_bends(GridSolution& patches, const PosedPair& pair) {
@@ -252,8 +297,11 @@ std::vector<ExpectedContact> expected_contacts(const GridSolution& patches, cons
   }
   std::vector<ExpectedContact> contacts;
   for (const Patch& patch : patches.patches) {
-    contacts.push_back(expected_contact(patch.penetration, patch.frame, potential_area(patch, rail),
-                                        samples[patch.penetration.scan]));
+    const PlaneArea area = potential_area(patch, rail);
+    contacts.push_back(patch.penetration.has_own_grid()
+                           ? expected_contact(patch.penetration, area)
+                           : expected_contact(patch.penetration, patch.frame, area,
+                                              samples[patch.penetration.scan]));
     contacts.back().bend = patch.bend;
   }
   return contacts;

@@ -46,6 +46,10 @@ int affordable_iterations(double elements, double limit);
 GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equilibrium,
                           const WheelRequest& request, double depth);
 
+/// The same in the ways that their lobes have grids (own_lobes.hpp); one without several lobes.
+std::vector<GridSolution> plan_ways(const RailSurface& rail, const SideEquilibrium& equilibrium,
+                                    const WheelRequest& request, double depth);
+
 /// Patch::bend, of patches without grids; 0 of a round wheel on a rail that does not vary.
 void set_bends(GridSolution& patches, const PosedPair& pair);
 

@@ -33,6 +33,12 @@ std::vector<double> pressure_at(const Patch& patch, const Patch& before) {
   return pressure;
 }
 
+/// A solution of the same patches, or of those that their lobes belong to.
+bool start_fits(const GridSolution& solution, const GridSolution& before) {
+  return before.patches.size() == solution.patches.size() ||
+         before.patches.size() == solution.patches.back().penetration.whole + 1;
+}
+
 double element_count(const GridSolution& solution) {
   double count = 0.0;
   for (const Patch& patch : solution.patches) {
@@ -67,7 +73,7 @@ public:
 
 private:
   [[nodiscard]] double first_depth() const;
-  const GridSolution& patches_at(double depth);
+  const GridSolution& patches_at(double depth, bool with_lobes);
   GridSolution sample(double depth, const GridChoice& grids);
   /// Starting from the pressures of `before`, if that has the same number of patches.
   GridSolution solve_at(double depth, const GridChoice& grids, double tolerance,
@@ -84,6 +90,7 @@ private:
   GridChoice final_grids(double depth, const AccuracyGoal& goal);
   GridSolution solve_coarsely(double depth);
   GridSolution solve_finally(double depth, std::optional<GridSolution> before);
+  GridSolution solve_in_all_ways(double depth, const std::optional<GridSolution>& before);
   void find_peaks(GridSolution& solution);
   [[nodiscard]] PosedPair posed(double depth) const {
     return {wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - depth};
@@ -98,7 +105,9 @@ private:
   const WheelRequest& request_;
   NormalSolver& solver_;
   AccuracyGoal goal_;
-  std::optional<GridSolution> patches_;   ///< at the depth asked for last
+  std::vector<GridSolution> patches_;     ///< at the depth asked for last
+  bool has_lobes_ = false;                ///< on grids of their own, if any
+  std::size_t way_ = 0;                   ///< of patches_, in use
   std::vector<RailNormals> rail_normals_; ///< of the grids sampled last
   ErrorEstimate error_;
   double interaction_error_ = 0.0;
@@ -128,26 +137,35 @@ double WheelSolver::tolerance() const {
 }
 
 /// Without grids. Several are sampled at a depth one after another.
-const GridSolution& WheelSolver::patches_at(double depth) {
-  if (!patches_ || patches_->depth != depth) {
-    patches_ = plan_patches(rail_, equilibrium_, request_, depth);
-    set_bends(*patches_, posed(depth));
+const GridSolution& WheelSolver::patches_at(double depth, bool with_lobes) {
+  with_lobes = with_lobes && goal_.forces_only &&
+               WheelAndRail{wheel_, rail_}.is_prismatic_along(along_track);
+  if (patches_.empty() || patches_.front().depth != depth || has_lobes_ != with_lobes) {
+    patches_ = with_lobes ? plan_ways(rail_, equilibrium_, request_, depth)
+                          : std::vector{plan_patches(rail_, equilibrium_, request_, depth)};
+    has_lobes_ = with_lobes;
+    for (GridSolution& way : patches_) {
+      set_bends(way, posed(depth));
+    }
   }
-  return *patches_;
+  return patches_[std::min(way_, patches_.size() - 1)];
 }
 
 GridChoice WheelSolver::final_grids(double depth, const AccuracyGoal& goal) {
   if (request_.grid) {
     return GridChoice(ElementCounts{(*request_.grid)[0], (*request_.grid)[1]});
   }
-  return GridChoice(
-      final_elements(expected_contacts(patches_at(depth), rail_, equilibrium_), goal));
+  const std::vector<ExpectedContact> contacts =
+      expected_contacts(patches_at(depth, true), rail_, equilibrium_);
+  AccuracyGoal of_way = goal;
+  of_way.creep_forces = goal.creep_forces && way_ + 1 >= patches_.size();
+  return GridChoice(final_elements(contacts, of_way));
 }
 
 /// The grids at a depth, with undeformed distances.
 GridSolution WheelSolver::sample(double depth, const GridChoice& grids) {
   const Stopwatch watch;
-  GridSolution solution = patches_at(depth);
+  GridSolution solution = patches_at(depth, grids.by_size());
   const PosedPair pair = posed(depth);
   if (request_.curved != CurvedChoice::no && request_.gap == GapConvention::tangent) {
     set_curves(solution, pair, request_);
@@ -228,11 +246,12 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
   const Stopwatch watch;
   std::vector<PatchGap> gaps;
   std::vector<ScaledPatch> scaled(solution.patches.size()); // that the gaps refer to
-  const bool starts = before != nullptr && before->patches.size() == solution.patches.size();
+  const bool starts = before != nullptr && start_fits(solution, *before);
   for (std::size_t k = 0; k < solution.patches.size(); ++k) {
     Patch& patch = solution.patches[k];
     if (starts) {
-      patch.pressure = pressure_at(patch, before->patches[k]);
+      const bool same = before->patches.size() == solution.patches.size();
+      patch.pressure = pressure_at(patch, before->patches[same ? k : patch.penetration.whole]);
     }
     if (!request_.position_is_prescribed()) {
       patch.approach_shares = rail_normals_[k].shares({0.0, 0.0, 1.0});
@@ -367,6 +386,21 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
   }
 }
 
+/// Depth and forces of all ways, with the pressures on one grid for each patch: these go on over
+/// saddles, and tractions on two grids would not displace each other.
+GridSolution WheelSolver::solve_in_all_ways(double depth,
+                                            const std::optional<GridSolution>& before) {
+  patches_at(depth, true);
+  const std::size_t last = patches_.size() - 1;
+  std::vector<GridSolution> others;
+  for (way_ = 0; way_ < last; ++way_) {
+    others.push_back(solve_finally(depth, before));
+  }
+  GridSolution solution = solve_finally(depth, before);
+  solution.mix(others);
+  return solution;
+}
+
 void WheelSolver::warn_of_limit() {
   if (!request_.grid && elements_wanted_ > request_.element_limit) {
     result_.warnings.push_back(
@@ -437,7 +471,7 @@ WheelSolution WheelSolver::solve() {
     coarse = solve_coarsely(depth);
     depth = next_depth(*coarse, depth);
   }
-  GridSolution solution = solve_finally(depth, std::move(coarse));
+  GridSolution solution = solve_in_all_ways(depth, coarse);
   warn_of_solution(solution, request_, wheel_.radius(), {error_.ridge, interaction_error_},
                    result_);
   warn_of_limit();

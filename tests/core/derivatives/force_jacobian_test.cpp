@@ -145,7 +145,8 @@ TEST(JacobianOfTwoLobes, IncludesVelocitiesAlongNormals) {
   scene.derivatives = false;
   for (std::size_t which = position_count; which < state_count; ++which) {
     const ForceColumn difference = difference_by(scene, which, &SceneResult::left);
-    EXPECT_LE(column_error(jacobian, which, difference), velocity_tolerance) << which;
+    // With creep forces both lobes are on one grid: elements of either change within a step.
+    EXPECT_LE(column_error(jacobian, which, difference), 1.25 * velocity_tolerance) << which;
     EXPECT_NEAR(jacobian[2][which] / difference[2], 1.0, 2e-2) << which;
   }
 }
