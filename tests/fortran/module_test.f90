@@ -145,7 +145,8 @@ contains
     call expect(same(values(1), other%number('left.vertical_force')), 'a result')
     call expect(is_nan(values(2)), 'no such patch')
     call expect(other%number_unit('left.patches.5.pmax') == 'MPa', 'but its unit')
-    call expect(other%key_unit('Motion.speed') == 'mm/s' .and. other%key_unit('track.rail') == '', 'of keys')
+    call expect(other%key_unit('Motion.speed') == 'mm/s', 'of a key')
+    call expect(other%key_unit('track.rail') == '', 'of a key with a text')
     call expect(len(other%number_unit('left.colour', stat)) == 0 .and. stat == wrc_unknown_name, 'nor that')
     call expect(same(values(3), other%number('roll')), 'the last result')
     spread_out = -1.0_real64
