@@ -116,10 +116,12 @@ std::string hint_for(const std::string& name) {
     (void)Scene().number_id(name);
   } catch (const wrcontact::Error& error) {
     const std::string text = error.what();
-    for (const char* hint : {"any more: ", "nearest: "}) {
-      if (const std::size_t at = text.rfind(hint); at != std::string::npos) {
-        return "; " + text.substr(at);
-      }
+    constexpr std::string_view removed = "any more: ";
+    if (const std::size_t at = text.rfind(removed); at != std::string::npos) {
+      return "; " + text.substr(at + removed.size());
+    }
+    if (const std::size_t at = text.rfind("nearest: "); at != std::string::npos) {
+      return "; " + text.substr(at);
     }
   }
   return "";

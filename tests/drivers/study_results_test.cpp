@@ -48,6 +48,11 @@ TEST_F(StudyResults, RemovedResultsNameTheirSuccessors) {
   EXPECT_NE(refused.exit_code, 0);
   EXPECT_NE(refused.error.find("\"left.grid.2\" is unknown; nearest"), std::string::npos)
       << refused.error;
+  write("s.toml", "[study]\nresults = [\"left.regrown\"]\n");
+  refused = run("s.toml --out o");
+  EXPECT_NE(refused.error.find("\"left.regrown\" is unknown; grids no longer grow"),
+            std::string::npos)
+      << refused.error;
 }
 
 /// A key of the command line replaces that of the file, whatever its case.
