@@ -91,7 +91,7 @@ Figures figures_of(const driver::Scene& scene, const std::string& side) {
                    scene.number(in + "vertical_force")};
   figures.centre = vector_of(scene, in + "centroid.");
   figures.reference = vector_of(scene, in + "patches.0.");
-  figures.moment = vector_of(scene, in + "moment.");
+  figures.moment = vector_of(scene, in + "pressure_moment.");
   join_axes(scene, side, figures);
   return figures;
 }
