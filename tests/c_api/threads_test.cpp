@@ -225,11 +225,11 @@ TEST(Threads, MayPlanWhileTheyHoldARecursiveLock) {
   std::thread other;
   {
     const std::lock_guard<std::recursive_mutex> held(lock.mutex);
-    other = std::thread(plan, 50);
+    other = std::thread(plan, 1900); // longer than the lines of other tests in this process
     while (lock.requests == 0) {
       std::this_thread::yield();
     }
-    plan(150); // the other thread is about to plan and waits; it may hold nothing we need
+    plan(2300); // the other thread is about to plan and waits; it may hold nothing we need
   }
   other.join();
   ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
