@@ -184,7 +184,8 @@ TEST_F(PlanningThreads, PlanOnlyUnderTheHostsLock) {
   };
   const auto library_plans = [this](int thread) {
     for (int round = 0; round < rounds; ++round) {
-      plan_length(16 * (2 + rounds * thread + round));
+      // Longer than the lines of other tests in this process.
+      plan_length(1000 + 64 * (rounds * thread + round));
       ASSERT_EQ(wrc_save_wisdom(path("wisdom" + std::to_string(thread)).c_str()), WRC_OK);
       const ScenePointer scene = make_small_scene();
       solve(scene.get(), {{"pose.lateral", 0.1 * round}});
@@ -225,11 +226,11 @@ TEST(Threads, MayPlanWhileTheyHoldARecursiveLock) {
   std::thread other;
   {
     const std::lock_guard<std::recursive_mutex> held(lock.mutex);
-    other = std::thread(plan, 1900); // longer than the lines of other tests in this process
+    other = std::thread(plan, 5000); // likewise
     while (lock.requests == 0) {
       std::this_thread::yield();
     }
-    plan(2300); // the other thread is about to plan and waits; it may hold nothing we need
+    plan(7000); // the other thread is about to plan and waits; it may hold nothing we need
   }
   other.join();
   ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
