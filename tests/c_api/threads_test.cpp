@@ -203,8 +203,8 @@ TEST_F(PlanningThreads, PlanOnlyUnderTheHostsLock) {
   ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
   EXPECT_EQ(lock.overlaps(), 0);
   EXPECT_EQ(host_entered, 2 * host_sections);
-  // For wisdom in each round, and for most lengths, some of which are rounded up to the same.
-  EXPECT_GE(lock.entered() - host_entered, 3 * planning_threads * rounds / 2);
+  // For wisdom in each round, and for lengths, many of which are rounded up to the same.
+  EXPECT_GT(lock.entered() - host_entered, planning_threads * rounds);
 }
 
 /// A recursive lock that tells how often it was asked for.
