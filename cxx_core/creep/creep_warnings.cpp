@@ -57,7 +57,7 @@ void warn_of_creepages(WheelResult& wheel, const CreepRequest& request) {
     }
     if (std::abs(creep.creepages.spin) * radius > greatest_spin) {
       warn("spin creepage " + short_text_of(creep.creepages.spin) +
-           " 1/mm: a wheel that rolls has " + "at most " + short_text_of(greatest_spin / radius) +
+           " 1/mm: a wheel that rolls has at most " + short_text_of(greatest_spin / radius) +
            " 1/mm, 3 over its radius");
     }
   }

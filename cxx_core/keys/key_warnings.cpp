@@ -143,8 +143,7 @@ void add_implausible(std::vector<Row>& rows) {
       {"track.inclination"}, {},
       [](const Scene& s) { return std::abs(s.track.inclination) > steepest_inclination; },
       " is more than 1:15, rails have 1:20 to 1:40: it is the inclination of each rail, not the "
-      "cant "
-      "of the track");
+      "cant of the track");
 }
 
 std::vector<Row> make_rows() {

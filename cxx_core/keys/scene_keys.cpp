@@ -59,11 +59,12 @@ const Key& find_key(std::string_view name) {
   const auto find = [](std::string_view spelled) {
     return std::ranges::find(keys(), spelled, [](const Key& key) { return key.description.name; });
   };
+  if (const auto found = find(name); found != keys().end()) {
+    return *found;
+  }
   const std::string spelled = lower_case(name); // as all keys are
-  for (const std::string_view either : {name, std::string_view(spelled)}) {
-    if (const auto found = find(either); found != keys().end()) {
-      return *found;
-    }
+  if (const auto found = find(spelled); found != keys().end()) {
+    return *found;
   }
   if (const RemovedName* removed = removed_key(spelled)) {
     throw Error(ErrorCode::unknown_name, std::string(removed->name) + " is not a key any more: " +
