@@ -48,6 +48,9 @@ wrc::TableOptions options_of(const wrc_table_options& given, const wrc::Conventi
     }
     options.threads = static_cast<int>(given.threads);
   }
+  if (given.resume_file != nullptr) {
+    options.resume_file = given.resume_file;
+  }
   return options;
 }
 

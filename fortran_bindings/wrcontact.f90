@@ -242,7 +242,7 @@ module wrcontact
     type(shared_handle), pointer :: shared => null()
   contains
     !> build(scene, stat, errmsg, lateral, roll, yaw, load, tolerance, fineness, threads, progress,
-    !> context): takes minutes; see wrc_table_build in wrcontact.h.
+    !> context, resume_file): takes minutes; see wrc_table_build in wrcontact.h.
     procedure :: build => table_build
     procedure :: save => table_save
     procedure :: load => table_load

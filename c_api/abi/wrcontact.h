@@ -123,7 +123,8 @@ WRC_API wrc_status wrc_scene_key(int64_t index, const char** name, const char** 
 
 /**
  * Solves geometry, remesh and mechanics of the wheels in solve.side. WRC_NOT_CONVERGED comes with
- * usable results; on any other failure the results of the last success remain. Since 0.1.
+ * usable results; on any other failure the results of the last success remain. A profile's file is
+ * read again if it has changed since the scene's last solution. Since 0.1.
  */
 WRC_API wrc_status wrc_scene_solve(wrc_scene* scene);
 
@@ -233,7 +234,8 @@ WRC_API wrc_status wrc_solver_clear(wrc_solver* solver);
 /**
  * Solves many scenes (at most 2^24) independently, as wrc_scene_solve does, on up to `threads`
  * threads (1 to 1024); the bits are the same for any number of threads. The handles must all be
- * different. statuses (may be NULL) gets the status of each scene, the scene its error text.
+ * different, or none is solved. statuses (may be NULL) gets the status of each scene, the scene
+ * its error text.
  * Returns WRC_OK if all were solved, otherwise the status of the first that was not. Since 0.1.
  */
 WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int32_t threads,
@@ -487,6 +489,10 @@ typedef struct wrc_table_options {
   double tolerance;
   double fineness; /**< of the nodes, 0.2 to 4; 1. Time and memory grow with its cube. */
   int64_t threads; /**< 1 to 1024; 1. The same bits for any number. */
+  /** File that keeps what is finished, written every 20 s and when the build is stopped, from which
+   * the next build with the same scene and options goes on, to the same bits; removed at the end.
+   * One of another table is WRC_FILE_MALFORMED. NULL: none. Since 0.4. */
+  const char* resume_file;
 } wrc_table_options;
 
 /** What a table is and what held-out random states say of it: errors of a wheel's force over its
@@ -521,7 +527,7 @@ WRC_API const char* wrc_table_error(const wrc_table* table);
  * it is not NULL, is called now and then by the calling thread with `context` and the finished
  * fraction, must not throw, and ends the build by any result but 0. On failure the handle keeps the
  * table that it had. WRC_INVALID_ARGUMENT, WRC_NO_CONTACT where the range of `lateral` reaches
- * beyond the rail, WRC_NO_RESULT if `progress` stops it. Since 0.3.
+ * beyond the rail, WRC_NO_RESULT if `progress` stops it, those of `resume_file`. Since 0.3.
  */
 WRC_API wrc_status wrc_table_build(wrc_table* table, wrc_scene* scene,
                                    const wrc_table_options* options,
@@ -552,11 +558,13 @@ WRC_API wrc_status wrc_table_get_facts(wrc_table* table, wrc_table_facts* facts)
  *              tolerance. Forces blend into the exact ones with a continuous slope: near the border
  *              over the last twentieth of each range, elsewhere over one cell of the map of errors.
  *              The scene keeps its keys and results. Without them numbers are in the units and axes
- * of the scene that the table was made of, a step outside is WRC_INVALID_ARGUMENT, and the text
- * says which wheel is where. error:       2 numbers, or NULL: how far the force of each wheel may
- * be off, over its vertical force, or over half of the table's largest load if that is more. It is
- * that of random states with friction of 0.1 to 0.6, at 20 m/s forwards; with more friction it is
- * larger in proportion.
+ *              of the scene that the table was made of, a step outside is WRC_INVALID_ARGUMENT, and
+ *              the text says which wheel is where.
+ *
+ * error:       2 numbers, or NULL: how far the force of each wheel may be off, over its vertical
+ *              force, or over half of the table's largest load if that is more. It is that of
+ *              random states with friction of 0.1 to 0.6, at 20 m/s forwards; with more friction it
+ *              is larger in proportion.
  *
  * WRC_NOT_CONVERGED, with all results: the exact solution. On other failures the arrays keep their
  * values; the table holds the error text. Since 0.3.

@@ -489,6 +489,10 @@ typedef struct wrc_table_options {
   double tolerance;
   double fineness; /**< of the nodes, 0.2 to 4; 1. Time and memory grow with its cube. */
   int64_t threads; /**< 1 to 1024; 1. The same bits for any number. */
+  /** File that keeps what is finished, written every 20 s and when the build is stopped, from which
+   * the next build with the same scene and options goes on, to the same bits; removed at the end.
+   * One of another table is WRC_FILE_MALFORMED. NULL: none. Since 0.4. */
+  const char* resume_file;
 } wrc_table_options;
 
 /** What a table is and what held-out random states say of it: errors of a wheel's force over its
@@ -523,7 +527,7 @@ WRC_API const char* wrc_table_error(const wrc_table* table);
  * it is not NULL, is called now and then by the calling thread with `context` and the finished
  * fraction, must not throw, and ends the build by any result but 0. On failure the handle keeps the
  * table that it had. WRC_INVALID_ARGUMENT, WRC_NO_CONTACT where the range of `lateral` reaches
- * beyond the rail, WRC_NO_RESULT if `progress` stops it. Since 0.3.
+ * beyond the rail, WRC_NO_RESULT if `progress` stops it, those of `resume_file`. Since 0.3.
  */
 WRC_API wrc_status wrc_table_build(wrc_table* table, wrc_scene* scene,
                                    const wrc_table_options* options,

@@ -1,16 +1,20 @@
 #include "table/table_build.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <random>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "base/error.hpp"
 #include "table/constants.hpp"
+#include "table/finished_tasks.hpp"
 #include "table/table_file.hpp"
 #include "table/table_nodes.hpp"
 
@@ -100,6 +104,9 @@ double error_of(const ContactTable& table, const TableState& state, TableNodes& 
   return error < error_without_answer ? error : error_without_answer; // nor a NaN
 }
 
+/// Stages whose tasks take long.
+enum class Stage : std::uint32_t { touch, nodes, errors_of_map, errors_of_factor, errors_of_check };
+
 class TableBuilder {
 public:
   TableBuilder(const Scene& scene, const TableOptions& options, const SceneSolver& solver)
@@ -115,9 +122,28 @@ public:
     roll_ = SplineAxis(-ranges.roll, ranges.roll, counts_.roll);
     square_ = SplineAxis(0.0, ranges.yaw * ranges.yaw, counts_.yaw);
     depth_ = SplineAxis(0.0, 1.0, counts_.depth);
+    if (!options.resume_file.empty()) {
+      finished_.emplace(options.resume_file, inputs());
+    }
   }
 
   ContactTable build() {
+    try {
+      make();
+    } catch (...) {
+      if (finished_) {
+        finished_->write();
+      }
+      throw;
+    }
+    if (finished_) {
+      finished_->remove();
+    }
+    return std::move(table_);
+  }
+
+private:
+  void make() {
     const double poisson = shear_constants(scene_.wheel_material, scene_.rail_material).poisson;
     table_.law = CreepLaw::make(poisson, counts_.law, options_.threads, part_of_progress(0.0, 0.1));
     align();
@@ -126,10 +152,38 @@ public:
     measure_errors(part_of_progress(0.6, 1.0));
     table_.errors.set_tolerance(options_.tolerance);
     table_.tolerance = options_.tolerance;
-    return std::move(table_);
   }
 
-private:
+  /// What decides on the numbers of tasks, as bytes.
+  [[nodiscard]] std::string inputs() const {
+    const TableRanges& ranges = options_.ranges;
+    std::vector<double> numbers(table_.identity.numbers.begin(), table_.identity.numbers.end());
+    numbers.insert(numbers.end(), {ranges.lateral, ranges.roll, ranges.yaw, ranges.load,
+                                   options_.fineness, table_.friction, table_.standstill_speed,
+                                   std::bit_cast<double>(table_.identity.profiles)});
+    return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)};
+  }
+
+  /// Tasks that each fill in an equal share of `numbers`; finished ones are not done again.
+  template <class MakeWorker>
+  void run_stage(Stage stage, std::size_t count, std::vector<double>& numbers,
+                 const Progress& progress, const MakeWorker& make_worker) {
+    const std::size_t share = numbers.size() / count;
+    const auto of_stage = static_cast<std::uint32_t>(stage);
+    run_tasks(count, options_.threads, progress, [&] {
+      return [&, work = make_worker()](std::size_t task) mutable {
+        const std::span<double> own(numbers.data() + task * share, share);
+        if (finished_ && finished_->find(of_stage, task, own)) {
+          return;
+        }
+        work(task, own.data());
+        if (finished_) {
+          finished_->add(of_stage, task, own);
+        }
+      };
+    });
+  }
+
   /// Not on the stack, which may be small.
   std::unique_ptr<TableNodes> nodes() {
     return std::make_unique<TableNodes>(scene_, solver_.beside(), table_);
@@ -146,8 +200,8 @@ private:
   void find_touch(const Progress& progress);
   void solve_nodes(const Progress& progress);
   void measure_errors(const Progress& progress);
-  [[nodiscard]] std::vector<std::pair<double, double>>
-  errors_of(std::uint64_t first, std::size_t count, const Progress& progress);
+  [[nodiscard]] std::vector<std::pair<double, double>> errors_of(Stage stage, std::size_t count,
+                                                                 const Progress& progress);
 
   const Scene& scene_;
   const TableOptions& options_;
@@ -155,6 +209,7 @@ private:
   const Counts counts_;
   ContactTable table_;
   SplineAxis lateral_, roll_, square_, depth_;
+  std::optional<FinishedTasks> finished_;
 };
 
 /// The position at which first touch becomes steep; none within the range and a little beyond.
@@ -205,14 +260,14 @@ void TableBuilder::find_touch(const Progress& progress) {
   const TensorSpline<3, 2>::Axes axes{lateral_, roll_, square_};
   const std::size_t poses = roll_.count * square_.count;
   std::vector<double> values(2 * lateral_.count * poses);
-  run_tasks(lateral_.count, options_.threads, progress, [&] {
-    return [&, own = nodes()](std::size_t i) mutable {
+  run_stage(Stage::touch, lateral_.count, values, progress, [&] {
+    return [&, own = nodes()](std::size_t i, double* to) mutable {
       for (std::size_t pose = 0; pose < poses; ++pose) {
         const double roll = roll_.node(pose / square_.count);
         const double yaw = yaw_of(square_, pose % square_.count);
         const double lateral = from_aligned(table_, lateral_.node(i), roll, yaw);
-        values[2 * (i * poses + pose)] = own->touch_height(lateral, roll, yaw);
-        values[2 * (i * poses + pose) + 1] = std::log(own->depth_at_load(lateral, roll, yaw));
+        to[2 * pose] = own->touch_height(lateral, roll, yaw);
+        to[2 * pose + 1] = std::log(own->depth_at_load(lateral, roll, yaw));
       }
     };
   });
@@ -225,16 +280,15 @@ void TableBuilder::solve_nodes(const Progress& progress) {
   std::vector<double> values(Contact::size_of(axes));
   const std::size_t poses = roll_.count * square_.count;
   constexpr std::size_t parts = table_part_count;
-  run_tasks(lateral_.count, options_.threads, progress, [&] {
-    return [&, own = nodes()](std::size_t i) mutable {
-      for (std::size_t pose = 0; pose < poses; ++pose) {
+  run_stage(Stage::nodes, lateral_.count, values, progress, [&] {
+    return [&, own = nodes()](std::size_t i, double* to) mutable {
+      for (std::size_t pose = 0; pose < poses; ++pose, to += depth_.count * parts) {
         const double roll = roll_.node(pose / square_.count);
         const double square = square_.node(pose % square_.count);
         const double yaw = yaw_of(square_, pose % square_.count);
         TensorSpline<3, 2>::Values touch;
         table_.touch.evaluate({lateral_.node(i), roll, square}, touch);
         const double lateral = from_aligned(table_, lateral_.node(i), roll, yaw);
-        double* const to = values.data() + (i * poses + pose) * depth_.count * parts;
         for (std::size_t level = 1; level < depth_.count; ++level) {
           const double depth = depth_.node(level) * std::exp(touch.value[1]);
           const auto found = own->parts(lateral, touch.value[0] - depth, roll, yaw);
@@ -249,16 +303,22 @@ void TableBuilder::solve_nodes(const Progress& progress) {
   table_.contact = Contact(axes, std::move(values));
 }
 
-std::vector<std::pair<double, double>>
-TableBuilder::errors_of(std::uint64_t first, std::size_t count, const Progress& progress) {
+std::vector<std::pair<double, double>> TableBuilder::errors_of(Stage stage, std::size_t count,
+                                                               const Progress& progress) {
   const std::size_t cells = table_.errors.cells().size();
-  std::vector<std::pair<double, double>> errors(count);
-  run_tasks(count, options_.threads, progress, [&] {
-    return [&, own = nodes()](std::size_t i) mutable {
+  const std::uint64_t first = // numbers of states that no sample shares
+      stage == Stage::errors_of_map ? 0 : 1ULL << (stage == Stage::errors_of_factor ? 32U : 33U);
+  std::vector<double> numbers(2 * count);
+  run_stage(stage, count, numbers, progress, [&] {
+    return [&, own = nodes()](std::size_t i, double* to) mutable {
       const TableState state = random_state(table_, i % cells, first + i / cells);
-      errors[i].first = error_of(table_, state, *own, errors[i].second);
+      to[0] = error_of(table_, state, *own, to[1]);
     };
   });
+  std::vector<std::pair<double, double>> errors(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    errors[i] = {numbers[2 * i], numbers[2 * i + 1]};
+  }
   return errors;
 }
 
@@ -275,15 +335,13 @@ void TableBuilder::measure_errors(const Progress& progress) {
                     : Progress();
   };
   table_.measured.map_states = counts_.states_of_cell * cells;
-  const auto of_map = errors_of(0, table_.measured.map_states, part(0.0, 0.6));
+  const auto of_map = errors_of(Stage::errors_of_map, table_.measured.map_states, part(0.0, 0.6));
   std::vector<double> largest(cells);
   for (std::size_t i = 0; i < of_map.size(); ++i) {
     largest[i % cells] = std::max(largest[i % cells], of_map[i].first);
   }
   table_.errors = ErrorMap(box, counts_.cells, largest);
 
-  constexpr std::uint64_t of_factor = 1ULL << 32U; // numbers of states that no sample shares
-  constexpr std::uint64_t of_check = 1ULL << 33U;
   const std::size_t count = counts_.held_out;
   const auto ratio_at = [](std::vector<double>& ratios, double share) {
     const auto beyond = static_cast<std::size_t>(share * static_cast<double>(ratios.size()));
@@ -291,7 +349,7 @@ void TableBuilder::measure_errors(const Progress& progress) {
     return ratios[ratios.size() - 1 - std::min(beyond, ratios.size() - 1)];
   };
   std::vector<double> ratios;
-  for (const auto& [error, returned] : errors_of(of_factor, count, part(0.6, 0.8))) {
+  for (const auto& [error, returned] : errors_of(Stage::errors_of_factor, count, part(0.6, 0.8))) {
     ratios.push_back(error / std::max(returned, std::numeric_limits<double>::min()));
   }
   table_.measured.factor = std::max(1.0, ratio_at(ratios, calibrated_share));
@@ -302,7 +360,7 @@ void TableBuilder::measure_errors(const Progress& progress) {
 
   std::vector<double> errors;
   table_.measured.states = count;
-  for (const auto& [error, returned] : errors_of(of_check, count, part(0.8, 1.0))) {
+  for (const auto& [error, returned] : errors_of(Stage::errors_of_check, count, part(0.8, 1.0))) {
     table_.measured.beyond += error > returned ? 1 : 0;
     errors.push_back(error);
   }

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 
 #include "base/worker_threads.hpp"
 #include "scene/solve_scene.hpp"
@@ -23,12 +24,14 @@ struct TableOptions {
   double fineness = 1.0; ///< of the nodes in each variable, 0.2 to 4
   int threads = 1;
   Progress progress; ///< with the finished fraction
+  /// Keeps what is finished, so that a build that was stopped goes on; empty: none.
+  std::filesystem::path resume_file;
 };
 
 /// A table of the scene's wheels, rails and materials; its position, loads and motion do not
 /// matter, and its friction is that of states without one. Throws Error(invalid_argument) that
-/// names the key or the option, Error(no_contact) where the ranges reach beyond the rail, and what
-/// `progress` throws.
+/// names the key or the option, those of FinishedTasks, Error(no_contact) where the ranges reach
+/// beyond the rail, and what `progress` throws.
 ContactTable build_table(const Scene& scene, const TableOptions& options,
                          const SceneSolver& solver);
 

@@ -22,14 +22,6 @@ constexpr std::size_t longest_name = 4096;
 constexpr std::size_t longest_format = 20;    // quoted from a file of another version
 constexpr std::size_t most_nodes = 1U << 16U; // of one variable
 
-std::uint64_t checksum_of(std::string_view text) {
-  std::uint64_t sum = 0xcbf29ce484222325ULL;
-  for (const char byte : text) {
-    sum = (sum ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
-  }
-  return sum;
-}
-
 [[noreturn]] void refuse(const std::string& what) {
   throw Error(ErrorCode::file_malformed, "table file: " + what);
 }
@@ -230,6 +222,14 @@ ContactTable table_from_whole(std::string_view text) {
 }
 
 } // namespace
+
+std::uint64_t checksum_of(std::string_view text) {
+  std::uint64_t sum = 0xcbf29ce484222325ULL;
+  for (const char byte : text) {
+    sum = (sum ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
+  }
+  return sum;
+}
 
 std::string text_of_table(const ContactTable& table) {
   Writer writer;

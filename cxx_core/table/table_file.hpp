@@ -6,6 +6,7 @@
 /// is refused. Thread rule: two writers of one path are the caller's to avoid.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -13,6 +14,9 @@
 #include "table/contact_table.hpp"
 
 namespace wrc {
+
+/// FNV-1a of its bytes.
+std::uint64_t checksum_of(std::string_view text);
 
 /// Whether a file of a table can have it: text of one line, 4096 bytes at most.
 bool is_name_of_table(std::string_view name);

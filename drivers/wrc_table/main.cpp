@@ -27,6 +27,8 @@ constexpr const char* explanation =
     "load,\n"
     "roll and yaw against the rail; friction, velocities, curvature and track irregularities are\n"
     "free. The error that comes with each evaluation is the largest of random states nearby.\n"
+    "\nTABLE.unfinished keeps what is done. If the program is stopped, the same command goes on "
+    "from\nthere, at most 20 s back.\n"
     "\nExamples:\n"
     "  wrc_table s1002.table --threads 2\n"
     "  wrc_table lma.table --set wheelset.wheel=LMA track.rail=CHN60 track.gauge_height=16\n"
@@ -146,6 +148,12 @@ int main(int argc, char** argv) {
     driver::refuse_overwriting({path}, {scene_file});
     const auto start = std::chrono::steady_clock::now();
     print_warnings(scene);
+    const std::string unfinished =
+        path + ".unfinished"; // also tells early that nothing can be written
+    if (std::filesystem::exists(unfinished)) {
+      std::cerr << "going on from " << unfinished << '\n';
+    }
+    options.resume_file = unfinished.c_str();
     table.build(scene, options, Tenths());
     table.save(path);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;

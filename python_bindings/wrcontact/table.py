@@ -49,15 +49,18 @@ class Table(Handle):
 
     def build(self, scene: Scene, *, lateral: float = 0.0, roll: float = 0.0, yaw: float = 0.0,
               load: float = 0.0, tolerance: float = 0.0, fineness: float = 0.0, threads: int = 1,
-              progress: Callable[[float], Any] | None = None) -> None:
+              progress: Callable[[float], Any] | None = None,
+              resume_file: str | os.PathLike[str] | None = None) -> None:
         """Makes it of a scene's profiles, track and materials (wrc_table_build); 0: the default.
 
         progress: called now and then with the finished fraction; what it raises ends the build.
+        resume_file: keeps what is finished, so that the next build goes on; removed at the end.
         """
+        kept = ffi.NULL if resume_file is None else ffi.new("char[]", encoded(resume_file))
         options = ffi.new("wrc_table_options*", {
             "struct_size": ffi.sizeof("wrc_table_options"), "lateral": lateral, "roll": roll,
             "yaw": yaw, "load": load, "tolerance": tolerance, "fineness": fineness,
-            "threads": threads})
+            "threads": threads, "resume_file": kept})
         raised: list[BaseException] = []
 
         def call(_context: Any, fraction: float) -> int:

@@ -9,8 +9,9 @@
 // 500 MB; the folder takes scene files of those with profiles made of points. At the end: counts by
 // status, failures, results that are not finite, scenes that take more than 30 times the median of
 // their kind, the slowest scene and the one with the most memory and elements. A kind of scenes has
-// the same decade of accuracy, and derivatives and curves or none. Exits with 1 on failures, to
-// which time and memory do not count. A single scene is solved in this process, for a debugger.
+// the same decade of accuracy, and derivatives, curves and profiles made of points or none; refused
+// ones do not count. Exits with 1 on failures, to which time and memory do not count. A single
+// scene is solved in this process, for a debugger.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -261,6 +262,9 @@ std::string kind_of(const DrawnScene& drawn) {
       kind += key.substr(key.find('.') + 1) + ' ' + std::get<std::string>(value) + ", ";
     }
   }
+  if (drawn.has_points()) { // read and solved along other lines for the spread of results
+    kind += "points, ";
+  }
   return kind + (accuracy < 1e-2 ? "below 1e-2" : "1e-2 and above");
 }
 
@@ -316,7 +320,9 @@ int main(int argc, char** argv) {
     const std::string name = kind + '_' + std::to_string(seed) + '_' + std::to_string(i) + ".toml";
     const Solved solved = count == 1 ? Solved{solve(drawn)} : solve_apart(drawn);
     const Told& told = solved.told;
-    times[kind_of(drawn)].emplace_back(solved.seconds, i);
+    if (told.elements > 0.0) { // not refused
+      times[kind_of(drawn)].emplace_back(solved.seconds, i);
+    }
     ++statuses[told.status.data()];
     not_finite += told.not_finite;
     const bool wrong = told.wrong[0] != '\0';
