@@ -50,6 +50,7 @@ wrc::TableOptions options_of(const wrc_table_options& given, const wrc::Conventi
   }
   if (given.resume_file != nullptr) {
     options.resume_file = given.resume_file;
+    options.version = wrc_version();
   }
   return options;
 }

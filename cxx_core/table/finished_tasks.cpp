@@ -12,8 +12,10 @@
 namespace wrc {
 namespace {
 
-constexpr std::string_view first_line = "wrcontact unfinished table, format 1\n";
-constexpr std::size_t largest_unfinished = std::size_t{1} << 32U; // twice a table's file
+constexpr std::string_view first_of_unfinished = "wrcontact unfinished table, format 1\n";
+/// origin: bound: twice the largest file of a table, whose numbers are in single precision.
+constexpr std::size_t largest_unfinished = std::size_t{1} << 32U;
+/// origin: bound: what a stopped build loses at most; a file of 26 MB takes 0.05 s.
 constexpr std::chrono::seconds least_time_between_writes{20};
 
 void append(std::string& text, std::uint64_t number) {
@@ -33,8 +35,8 @@ std::uint64_t taken_from(std::string_view& text) {
 } // namespace
 
 FinishedTasks::FinishedTasks(std::filesystem::path path, std::string_view inputs)
-    : path_(std::move(path)), head_(first_line) {
-  append(head_, checksum_of(std::string(inputs) + WRCONTACT_VERSION));
+    : path_(std::move(path)), head_(first_of_unfinished) {
+  append(head_, checksum_of(inputs));
   std::error_code none;
   if (std::filesystem::exists(path_, none)) {
     try {
@@ -48,7 +50,7 @@ FinishedTasks::FinishedTasks(std::filesystem::path path, std::string_view inputs
 }
 
 void FinishedTasks::read(std::string_view text) {
-  if (!text.starts_with(first_line)) {
+  if (!text.starts_with(first_of_unfinished)) {
     throw Error(ErrorCode::file_malformed, "is no file of an unfinished table");
   }
   if (!text.starts_with(head_)) {

@@ -161,7 +161,8 @@ private:
     numbers.insert(numbers.end(), {ranges.lateral, ranges.roll, ranges.yaw, ranges.load,
                                    options_.fineness, table_.friction, table_.standstill_speed,
                                    std::bit_cast<double>(table_.identity.profiles)});
-    return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)};
+    return options_.version + std::string(reinterpret_cast<const char*>(numbers.data()),
+                                          numbers.size() * sizeof(double));
   }
 
   /// Tasks that each fill in an equal share of `numbers`; finished ones are not done again.

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "base/worker_threads.hpp"
 #include "scene/solve_scene.hpp"
@@ -26,6 +27,7 @@ struct TableOptions {
   Progress progress; ///< with the finished fraction
   /// Keeps what is finished, so that a build that was stopped goes on; empty: none.
   std::filesystem::path resume_file;
+  std::string version; ///< of the library, whose files go on
 };
 
 /// A table of the scene's wheels, rails and materials; its position, loads and motion do not
