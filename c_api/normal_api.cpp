@@ -18,8 +18,8 @@ using wrc::NormalResult;
 
 constexpr const char* normal_contact = "normal contact";
 
-/// The tolerance from what double precision reaches on any grid (docs/stability.md) on; that of
-/// solve.tolerance too.
+/// The tolerance from what double precision reaches on any grid (docs/evidence/limits.md) on; that
+/// of solve.tolerance too.
 constexpr auto normal_number_keys = std::to_array<wrc::NumberKey<NormalProblem>>({
     {"combined_modulus", 1e-30, 1e30, "must be between 1e-30 and 1e30 MPa",
      [](NormalProblem& problem, double value) { problem.combined_modulus = value; }},

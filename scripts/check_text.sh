@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # What can be said of the files without compiling them: format of the code, faults of the scripts,
 # spelling (words that are right here and rare elsewhere: .codespellrc), types of the Python package,
-# one version in all files, pages that agree with the sources, words that no native engineer would write.
+# one version in all files, pages that agree with the sources, answers within two clicks of README.md, words
+# that no native engineer would write.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -22,5 +23,6 @@ grep -qx "version = \"$version\"" fpm.toml || {
   failures=1
 }
 scripts/check_docs.py || failures=1
+scripts/check_questions.py || failures=1
 scripts/check_words.py || failures=1
 exit "$failures"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs the fuzzers (docs/evidence/fuzzing.md), each from its corpus in tests/fuzz/corpus for some seconds, in
+# Runs the fuzzers (docs/evidence/limits.md), each from its corpus in tests/fuzz/corpus for some seconds, in
 # build/fuzz/<name>, where what they find stays too. Usage: scripts/fuzz.sh SECONDS [NAME ...]; the
 # names are those of the folders in tests/fuzz/corpus, profile readers only if none is given.
 # With REAL=FOLDER the profile files of a folder (.prr .prw .ban .whl), thinned to some 40 points,

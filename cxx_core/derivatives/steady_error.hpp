@@ -5,8 +5,8 @@
 ///   E = max(min(0.7 L |dF/ds|, 0.12 mu N), min(0.7 L |dF/dv dv/ds|, 2 mu N)),
 /// L the length of the contact along rolling, F = (Fx, Fy) the steady creep force and v the
 /// velocities: the limit is that of loads and positions, not of creepages. Measured on sequences of
-/// transient rolling (docs/creep.md); at a single position the error lags behind the slope, so that
-/// the largest E of the last two contact lengths counts.
+/// transient rolling (cxx_core/creep/README.md); at a single position the error lags behind the
+/// slope, so that the largest E of the last two contact lengths counts.
 ///
 /// dF/ds follows from the derivatives by positions and velocities and from the rates of these:
 /// velocities of wheelset and rails, slopes of rails, and Motion::acceleration; where a rail or a

@@ -5,11 +5,11 @@
 /// sin(inclination) + v cos(inclination), which raises the field side. It is then shifted so that
 /// its highest point lies at z = 0 and its gauge face, at `gauge_height` below the top, at y =
 /// gauge / 2 (the paper, equations 3 and 4, with the inclination as a rotation about x, see
-/// docs/validation.md). The rail is prismatic along x, or has the surface through a list of slices
-/// (geometry/sliced_surface.hpp); rail_line.hpp meets either. A roller or disc, which does not fall
-/// to the gauge side by 45 degrees, has no gauge face: its lateral 0 is put 32.5 mm beside gauge /
-/// 2, where the taping line of a wheel is. Irregularities of the track displace it from there.
-/// Units mm and rad. Thread rule: immutable, safe to share.
+/// docs/evidence/validation.md). The rail is prismatic along x, or has the surface through a list
+/// of slices (geometry/sliced_surface.hpp); rail_line.hpp meets either. A roller or disc, which
+/// does not fall to the gauge side by 45 degrees, has no gauge face: its lateral 0 is put 32.5 mm
+/// beside gauge / 2, where the taping line of a wheel is. Irregularities of the track displace it
+/// from there. Units mm and rad. Thread rule: immutable, safe to share.
 #pragma once
 
 #include <memory>

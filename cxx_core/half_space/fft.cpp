@@ -202,7 +202,7 @@ struct OneThread {}; // FFTW belongs to the library there
 
 /// Lines from this length on are fast one by one.
 /// origin: measured: single-precision lines of 12 to 32 values take 24 to 72 ns each in blocks,
-/// 83 to 230 ns one by one (docs/performance.md).
+/// 83 to 230 ns one by one (docs/evidence/performance.md).
 constexpr std::size_t min_lone_line = 48;
 
 /// The longest line with odd factors above 5.

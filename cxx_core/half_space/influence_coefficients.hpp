@@ -20,7 +20,7 @@
 /// The element then has 7/6 of its pressure on itself and -1/24 on each neighbour, the sum of
 /// forces and the symmetry stay, no eigenvalue gets smaller (the factor is 1 to 4/3), and what is
 /// left of the error comes from the edge of contact: a fifth to a tenth of that of constant
-/// elements (docs/method.md).
+/// elements (docs/evidence/accuracy.md).
 /// Units mm and MPa; x longitudinal, y lateral, both from the element's centre. Displacements of
 /// both bodies together, positive into the body. Does not handle the grid's edge, of tangential
 /// tractions and of bodies that are not half-spaces.

@@ -20,8 +20,8 @@ constexpr double min_scale = 1e-30;
 constexpr double max_scale = 1e30;
 constexpr double min_load = 1e-60;
 constexpr double max_load = 1e60;
-/// Influence coefficients are right to 1e-12 between elements of these shapes (docs/stability.md).
-/// A permitted range, not a tuning constant.
+/// Influence coefficients are right to 1e-12 between elements of these shapes
+/// (docs/evidence/limits.md). A permitted range, not a tuning constant.
 constexpr double max_aspect = 1e9;
 /// Range of an element's share of the approach, and of its inverse: permitted values, not a tuning
 /// constant.

@@ -133,8 +133,8 @@ struct RollingSolution {
   double slip_area = 0.0;     ///< mm^2
   double adhesion_area = 0.0; ///< mm^2
   /// -F.w in N: frictional power over the speed, exact for steady rolling, where the elastic energy
-  /// does not change (docs/creep.md); with that of the slip given for each element, and of unlike
-  /// bodies including the displacement by pressures.
+  /// does not change (cxx_core/creep/README.md); with that of the slip given for each element, and
+  /// of unlike bodies including the displacement by pressures.
   double friction_power = 0.0;
   double power_of_pressures = 0.0; ///< of it what pressures of unlike bodies add, N
   double numerical_loss = 0.0;     ///< fraction of it that slip times traction does not show

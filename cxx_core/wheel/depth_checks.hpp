@@ -12,7 +12,7 @@
 /// falls with 1/overlap. The halves are assumed, from the safe side: fields of distance show 0.2
 /// (from element to element) to 0.36 (from row to row). Errors of pmax were below s_p in 82 and
 /// below 2 s_p, which is what is warned of, in 99 per cent of 1983 solutions (loads from 1e-8 N,
-/// tread to flange, radii of 150 to 5000 mm, accuracies of 1e-4 to 1e-2: docs/stability.md).
+/// tread to flange, radii of 150 to 5000 mm, accuracies of 1e-4 to 1e-2: docs/evidence/limits.md).
 /// The approach is off by the difference between the tables of heights at the first touch and the
 /// rays. Units mm, N, MPa. Thread rule: pure functions.
 #pragma once

@@ -246,6 +246,6 @@ int main(int argc, char** argv) {
       "  wrc_benchmark --grid all --method default      how the cost grows with the grid\n"
       "  wrc_benchmark --case two-lobes --accuracy 1e-6 --json\n"
       "  wrc_benchmark --case service --steps 300       the cost of a step in a realistic run\n"
-      "docs/evidence/performance.md and docs/evidence/performance.md explain the columns.");
+      "docs/evidence/performance.md explains the columns.");
   return app.run(argc, argv, [&] { return run(options); });
 }

@@ -1,5 +1,5 @@
-/// The table of certified ranges (docs/stability.md) for gaps given directly: each boundary from
-/// both sides; other units change nothing beyond 1e-12, and a second run not a bit.
+/// The table of certified ranges (docs/evidence/limits.md) for gaps given directly: each boundary
+/// from both sides; other units change nothing beyond 1e-12, and a second run not a bit.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
-/// The table of certified ranges (docs/stability.md): each boundary from both sides. Inside, the
-/// problem is solved and its residuals, recomputed in double precision, are small; outside there is
-/// the status stated, with a text that names argument, value and what is allowed.
+/// The table of certified ranges (docs/evidence/limits.md): each boundary from both sides. Inside,
+/// the problem is solved and its residuals, recomputed in double precision, are small; outside
+/// there is the status stated, with a text that names argument, value and what is allowed.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -194,9 +194,9 @@ TEST(NormalProblem, AnUnknownNameIsReportedWithTheKnownOnes) {
 
 TEST(NormalResults, AreThoseOfHertz) {
   constexpr int n = 60;
-  // Errors of 40 elements across the contact with constant elements (docs/validation.md): 0.08/n^2,
-  // 0.15/n^2, with smooth ones a fifth of it; by counting elements the area is of order one, 0.55/n
-  // too large with smooth ones.
+  // Errors of 40 elements across the contact with constant elements (docs/evidence/validation.md):
+  // 0.08/n^2, 0.15/n^2, with smooth ones a fifth of it; by counting elements the area is of order
+  // one, 0.55/n too large with smooth ones.
   constexpr double error_approach = 2e-4;
   constexpr double error_pmax = 5e-4;
   constexpr double error_area = 5e-3;

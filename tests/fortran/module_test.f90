@@ -34,7 +34,7 @@ program module_test
   !> Sums over a few thousand elements, and conversions of units, but for rounding.
   real(real64), parameter :: rounding = 1.0e-9_real64
   !> Hertz by 64 x 64 elements with 45 across the contact: 0.15/45^2 for pmax, 0.08/45^2 for the
-  !> approach (docs/validation.md), twice that to be safe.
+  !> approach (docs/evidence/validation.md), twice that to be safe.
   real(real64), parameter :: hertz_pmax = 1.5e-4_real64, hertz_approach = 8.0e-5_real64
   real(real64), parameter :: pi = acos(-1.0_real64)
 

@@ -16,7 +16,7 @@ awk -v at_three="$at_three" '
   /^(geometry  |geometry again|mechanics|total)/ { times += NF > 6 && $NF > 0 }
   END {
     # Profile points and roll of the paper are not known in digits; y = 1 and 5 are sensitive
-    # scenes (docs/validation.md).
+    # scenes (docs/evidence/validation.md).
     split("0 1 2 4", calm, " ")
     for (i in calm) expect(near(modules[calm[i]], paper[calm[i]], 0.015), "the paper, entry " calm[i])
     # The distance is sampled at the first touch or where the wheel has sunk to; vertical distances

@@ -5,7 +5,7 @@ Usage: WRCONTACT_BUILD=build/release PYTHONPATH=build/release/python
        tests/warnings/check_table.py [--update] [--octave OCTAVE-CLI] [--only CLASS] [--every N]
 
 Each class of cxx_core/base/warning.hpp has a scene in classes.py. It is solved through each way out, and
-the text that wrc_case --json gives for the class has to be there. The table of docs/warnings.md is what
+the text that wrc_case --json gives for the class has to be there. The table of docs/evidence/limits.md is what
 was found (--update rewrites it); --every N solves every Nth class and compares its row. Without Octave its column is that of the page, and this says so.
 """
 import argparse
@@ -25,7 +25,7 @@ import wrcontact
 from classes import CASES, scene_of
 
 PROJECT = Path(__file__).resolve().parents[2]
-PAGE = PROJECT / "docs/warnings.md"
+PAGE = PROJECT / "docs/evidence/limits.md"
 BIN = Path(os.environ["WRCONTACT_BUILD"]) / "bin"
 BEGIN, END = "<!-- table of warnings -->", "<!-- end -->"
 GRADES = ["fine", "a little over", "do not use"]
@@ -245,10 +245,10 @@ def main():
         page = head + BEGIN + "\n" + table + END + rest.partition(END)[2]
         PAGE.write_text(page, encoding="utf-8")
     elif arguments.every > 1:
-        missing += [f"docs/warnings.md: another row: {row}" for row in table.splitlines()
+        missing += [f"docs/evidence/limits.md: another row: {row}" for row in table.splitlines()
                     if row not in page]
     elif page.partition(BEGIN)[2].partition(END)[0].strip() != table.strip():
-        missing.append("docs/warnings.md: the table is another; --update rewrites it")
+        missing.append("docs/evidence/limits.md: the table is another; --update rewrites it")
     if missing:
         sys.exit("\n".join(missing))
     print(f"{len(names)} classes by {len(WAYS)} ways out")

@@ -2,17 +2,17 @@
 ///
 ///   compare_jacobian [SCENES [ACCURACY [OF_DIFFERENCES]]]     default 500 1e-2 1e-3
 ///
-/// Prints the table of docs/derivatives.md: for each position and velocity the error of its column
-/// of the Jacobian, moments over 750 mm, over the column's largest entry, and the fraction of
-/// scenes in which that is within the accuracy; then over what the column would be without slip
-/// (largest entry of the linear theory's, or its own), since a wheel that slides has hardly any
-/// slope by its creepages; then how far two differences, over a step and half of it, are apart: the
-/// nearer one counts, elements that change sides within a step show in either. At last errors of
-/// positions while the height follows so that the vertical force stays: what is left without the
-/// contact's stiffness. Scenes are drawn at random, with the position prescribed at which a wheel
-/// carries 20 to 130 kN: S1002 and LMA on four rails, up to flange contact, creepages up to 0.3 %.
-/// The differences are those of scenes at the third argument: at the accuracy of the Jacobian they
-/// show whether forces and Jacobian belong together.
+/// Prints the table of docs/evidence/derivatives.md: for each position and velocity the error of
+/// its column of the Jacobian, moments over 750 mm, over the column's largest entry, and the
+/// fraction of scenes in which that is within the accuracy; then over what the column would be
+/// without slip (largest entry of the linear theory's, or its own), since a wheel that slides has
+/// hardly any slope by its creepages; then how far two differences, over a step and half of it, are
+/// apart: the nearer one counts, elements that change sides within a step show in either. At last
+/// errors of positions while the height follows so that the vertical force stays: what is left
+/// without the contact's stiffness. Scenes are drawn at random, with the position prescribed at
+/// which a wheel carries 20 to 130 kN: S1002 and LMA on four rails, up to flange contact, creepages
+/// up to 0.3 %. The differences are those of scenes at the third argument: at the accuracy of the
+/// Jacobian they show whether forces and Jacobian belong together.
 #include <algorithm>
 #include <array>
 #include <cmath>

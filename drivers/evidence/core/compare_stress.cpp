@@ -2,9 +2,9 @@
 ///
 ///   compare_stress [SCENES [SEED]]     default 100, 1
 ///
-/// Prints the table of docs/damage.md: how many wheels meet an accuracy, quantiles of errors, how
-/// many estimates are no less, how many ms stresses take; with creepages apart for stresses that
-/// are greatest below and on the surface. Truth: the accuracy `truth_accuracy`. The
+/// Prints the table of docs/evidence/validation.md: how many wheels meet an accuracy, quantiles of
+/// errors, how many estimates are no less, how many ms stresses take; with creepages apart for
+/// stresses that are greatest below and on the surface. Truth: the accuracy `truth_accuracy`. The
 /// last column is what the search leaves: against the greatest of sections below rows of
 /// elements, climbed from. Scenes are drawn at random: S1002 and LMA on four rails, up to flange
 /// contact, 20 to 130 kN, half of them with creepages of 1e-4 to 1e-2.

@@ -259,7 +259,7 @@ std::vector<Figure> geometry_figures() {
          reconstruction}}});
   figures.push_back(
       {12,
-       "roll over yaw, inclination 1:40 (yaw up to 50 mrad, see docs/validation.md)",
+       "roll over yaw, inclination 1:40 (yaw up to 50 mrad, see docs/evidence/validation.md)",
        {"fig12.png"},
        {{"Off the centre the roll depends on the sign of yaw: larger for one, smaller for the "
          "other",

@@ -202,7 +202,7 @@ std::vector<Figure> pressure_figures() {
          "its figure 6."}}});
   figures.push_back(
       {13,
-       "over yaw, y = 6 mm, inclination 1:40 (yaw up to 50 mrad, see docs/validation.md)",
+       "over yaw, y = 6 mm, inclination 1:40 (yaw up to 50 mrad, see docs/evidence/validation.md)",
        {"fig13_patches.png", "fig13_pmax.png"},
        {{"Any yaw raises the largest pressure of both wheels", judge_yaw_raises,
          "Yaw moves both contacts along their profiles; whether the pressure rises depends on the "

@@ -125,7 +125,7 @@ void write_table2(const fs::path& folder, std::ostream& out) {
   if (close < all) {
     out << " At y = 1 mm the contact is about to jump to the gauge corner, and at 5 mm the peak "
            "stands on a strip less than 2 mm wide: there 0.1 mm of displacement or another variant "
-           "of the rail change it more than that (docs/validation.md).";
+           "of the rail change it more than that (docs/evidence/validation.md).";
   }
   double furthest = 0.0;
   for (const Table2& row : table2) {
@@ -136,10 +136,11 @@ void write_table2(const fs::path& folder, std::ostream& out) {
       << text_of(verdict_of(furthest < 0.06)) << " by its own table, up to "
       << fixed(100.0 * furthest, 1)
       << " %. But two programs that solve the same half-space problem on the same gap differ by "
-         "less than 0.5 % (docs/validation.md compares 23 cases with CONTACT), so that 6 % show a "
+         "less than 0.5 % (docs/evidence/validation.md compares 23 cases with CONTACT), so that 6 "
+         "% show a "
          "gap, a grid or an input that differs, not the accuracy of the method.";
   out << "\n* Signs, the load and the direction of distances are not printed; those taken here are "
-         "in docs/validation.md.\n\n";
+         "in docs/evidence/validation.md.\n\n";
 }
 
 void write_figure(const fs::path& folder, const Figure& figure, std::ostream& out, Counts& counts) {

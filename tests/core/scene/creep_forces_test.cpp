@@ -357,7 +357,7 @@ TEST(CreepForces, WheelsOfCreepCases) {
 // CONTACT's vertical force is that of normal and creep forces together, ours that of normal forces:
 // with both patches on the flange they differ by a sixth. With equal totals forward forces agree to
 // 0.02 % of mu N. CONTACT's lateral force, 1.8 % of mu N from ours, is no reference there: it is
-// none that an energy has (docs/validation.md).
+// none that an energy has (docs/evidence/validation.md).
 TEST(CreepForces, TwoPatchesOnTheFlangeAddUpToTheTotalForce) {
   const nlohmann::json cases = creep_wheel_rail_cases();
   const auto entry = std::find_if(cases.begin(), cases.end(),
