@@ -47,8 +47,8 @@ std::optional<GapPoint> GapField::at(double x, double y) {
     return std::nullopt;
   }
   const Vector3 up = rotation_.to_body({0.0, 0.0, 1.0});
-  const Vector3 gradient = wheel_line_.gradient(met);
-  const SecondDerivatives second = wheel_line_.second_derivatives(met);
+  const Vector3 gradient = wheel_line_.gradient(met, wheel_line_.profile());
+  const SecondDerivatives second = wheel_line_.second_derivatives(met, wheel_line_.profile());
   const auto twice = [&](const Vector3& a, const Vector3& b) {
     return a.x * (second.xx * b.x + second.xy * b.y + second.xz * b.z) +
            a.y * (second.xy * b.x + second.yy * b.y + second.yz * b.z) +

@@ -64,6 +64,11 @@ std::optional<double> lateral_of_gauge_face(const Curve& curve, double top_arc, 
 
 } // namespace
 
+struct RailSurface::Prism {
+  ConstantStretch where;
+  RailSurface rail;
+};
+
 RailSurface RailSurface::place(const Curve& profile, const TrackDimensions& track) {
   const Curve inclined = profile.moved(track.inclination, 0.0, 0.0);
   const double top_arc = arc_of_crown(inclined);
@@ -93,6 +98,14 @@ RailSurface::RailSurface(std::shared_ptr<const SlicedSurface> slices, const Curv
     : RailSurface(place(first, track)) {
   slices_ = std::move(slices);
   along_ = slices_->along().begin;
+  std::vector<Prism> prisms;
+  for (const ConstantStretch& where : slices_->constant_stretches()) {
+    RailSurface prism = posed({}, where.along.begin);
+    prism.slices_.reset();
+    prism.is_placed_by_axis_ = is_placed_by_axis_;
+    prisms.push_back({where, std::move(prism)});
+  }
+  prisms_ = std::make_shared<const std::vector<Prism>>(std::move(prisms));
 }
 
 void RailSurface::refuse_beyond_slices(double along) const {
@@ -139,6 +152,7 @@ RailSurface RailSurface::posed(const RailDisplacement& displacement, double alon
         CurveGraph(std::move(section), top), nominal_, top, angle, lateral_shift, height_shift};
     surface.slices_ = slices_;
     surface.along_ = along;
+    surface.prisms_ = prisms_;
     return surface;
   }
   if (displacement.roll == 0.0) {
@@ -158,11 +172,31 @@ RailSurface RailSurface::posed(const RailDisplacement& displacement, double alon
           height_shift};
 }
 
+const RailSurface* RailSurface::prism_at(double along, const WheelSurface& wheel,
+                                         double yaw) const {
+  if (prisms_ == nullptr) {
+    return nullptr;
+  }
+  const double of_yaw = wheel.taping_line() * std::abs(std::sin(yaw));
+  for (const Prism& prism : *prisms_) {
+    const double reach = of_yaw + wheel.largest_radius() * wheel.touch_angle(yaw, prism.where.rise);
+    if (prism.where.along.begin <= along - reach && along + reach <= prism.where.along.end) {
+      return &prism.rail;
+    }
+  }
+  return nullptr;
+}
+
 std::shared_ptr<const RailSurface> posed(const std::shared_ptr<const RailSurface>& rail,
-                                         const RailDisplacement& displacement, double along) {
-  return rail->is_prismatic_along(along_track) && displacement == RailDisplacement{}
-             ? rail
-             : std::make_shared<const RailSurface>(rail->posed(displacement, along));
+                                         const RailDisplacement& displacement, double along,
+                                         const WheelSurface& wheel, double yaw) {
+  const RailSurface* prism = rail->prism_at(along, wheel, yaw);
+  if (prism == nullptr && rail->is_prismatic_along(along_track) &&
+      displacement == RailDisplacement{}) {
+    return rail;
+  }
+  return std::make_shared<const RailSurface>(
+      (prism != nullptr ? *prism : *rail).posed(displacement, along));
 }
 
 void RailSurface::to_profile_frame(double y, double z, double& lateral, double& height) const {

@@ -20,6 +20,7 @@
 #include "geometry/curve_graph.hpp"
 #include "geometry/frames.hpp"
 #include "geometry/sliced_surface.hpp"
+#include "geometry/wheel_surface.hpp"
 #include "profile/profile.hpp"
 
 namespace wrc {
@@ -78,6 +79,9 @@ public:
   /// takes a new table of heights, 40 us, as slices do. In a gap the graph is the nearest section:
   /// a wheel may stand on both sides.
   [[nodiscard]] RailSurface posed(const RailDisplacement& displacement, double along) const;
+  /// The prismatic rail that a wheel meets at a place along; none where it varies within reach.
+  [[nodiscard]] const RailSurface* prism_at(double along, const WheelSurface& wheel,
+                                            double yaw) const;
   [[nodiscard]] RailSurface displaced(const RailDisplacement& displacement) const {
     return posed(displacement, along_);
   }
@@ -113,10 +117,14 @@ private:
   bool is_placed_by_axis_ = false;
   std::shared_ptr<const SlicedSurface> slices_; ///< none: prismatic
   double along_ = 0.0;
+  struct Prism;
+  std::shared_ptr<const std::vector<Prism>> prisms_; ///< where slices are the same
 };
 
-/// The same as RailSurface::posed, or the rail itself where that changes nothing.
+/// The rail as a wheel meets it under a yaw: displaced, with the wheelset somewhere along it; a
+/// prismatic one where that is all it meets, the rail itself where nothing changes.
 std::shared_ptr<const RailSurface> posed(const std::shared_ptr<const RailSurface>& rail,
-                                         const RailDisplacement& displacement, double along);
+                                         const RailDisplacement& displacement, double along,
+                                         const WheelSurface& wheel, double yaw);
 
 } // namespace wrc

@@ -36,6 +36,12 @@ struct PartEnd {
   double distance = 0.0; ///< from where it was asked for
 };
 
+/// Where a surface does not vary.
+struct ConstantStretch {
+  Stretch along;
+  double rise = 0.0; ///< of the surface elsewhere over the section here, mm
+};
+
 class SlicedSurface {
 public:
   /// `period` 0, or that of a wheel.
@@ -47,6 +53,8 @@ public:
   [[nodiscard]] Stretch along() const;
   /// How far it is along to the nearest part, 0 at one.
   [[nodiscard]] double distance_to_part(double along) const;
+  /// Where one part alone is, and its sections are the same to 1e-9 mm.
+  [[nodiscard]] std::vector<ConstantStretch> constant_stretches() const;
   /// None if all parts are closed around the wheel.
   [[nodiscard]] std::optional<PartEnd> nearest_end(double along) const;
 

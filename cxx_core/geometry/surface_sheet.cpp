@@ -172,6 +172,9 @@ SurfaceSheet::SurfaceSheet(std::span<const SheetSection> sections, double smooth
     }
   }
   spline_ = AlongSpline(places, smoothing_length, period);
+  is_whole_ = std::ranges::all_of(sections, [](const SheetSection& section) {
+    return section.features.front() == 0.0 && section.features.back() == section.curve->length();
+  });
   fill(sections);
   refuse_folds(sections);
 }
@@ -236,6 +239,9 @@ void SurfaceSheet::fill(std::span<const SheetSection> sections) {
     begin_lateral_[(knot + 1) * (pieces + 1) - 1] = evaluate(last.lateral, length).value;
     begin_second_[(knot + 1) * (pieces + 1) - 1] = evaluate(last.lateral_second, length).value;
   }
+  for (std::size_t interval = 0; interval + 1 < knots; ++interval) {
+    ascending_.push_back(ascending_run(interval));
+  }
 }
 
 bool SurfaceSheet::is_folded(std::size_t piece, std::size_t interval) const {
@@ -281,11 +287,6 @@ void SurfaceSheet::refuse_folds(std::span<const SheetSection> sections) const {
                 "the surface folds between slices " + first + others +
                     ": features must join corresponding places of the slices");
   }
-}
-
-std::size_t SurfaceSheet::piece_at(double across) const {
-  const auto found = std::upper_bound(starts_.begin() + 1, starts_.end() - 1, across);
-  return static_cast<std::size_t>(found - starts_.begin() - 1);
 }
 
 SheetPoint SurfaceSheet::at(double across, double along) const {
@@ -385,11 +386,26 @@ std::optional<GraphPoint> SurfaceSheet::over(double along, double lateral) const
   const Weights weights(place, 0);
   const BeginLaterals begins(*this, place);
   std::optional<GraphPoint> highest;
+  const auto [first, last] = ascending_[place.interval];
   double at_high = begins[0] - lateral;
   for (std::size_t piece = 0; piece + 1 < starts_.size(); ++piece) {
+    if (piece == first && last > first) { // on to where the begins pass the place
+      std::size_t below = first;
+      std::size_t above = last;
+      while (above - below > 1) {
+        const std::size_t middle = below + (above - below) / 2;
+        (begins[middle] - lateral < 0.0 ? below : above) = middle;
+      }
+      piece = below;
+      at_high = begins[piece] - lateral;
+    }
     const double at_low = at_high;
     at_high = begins[piece + 1] - lateral;
     if ((at_low > 0.0 && at_high > 0.0) || (at_low < 0.0 && at_high < 0.0)) {
+      if (piece >= first && piece < last && at_low > 0.0) { // to the end of the run
+        piece = last - 1;
+        at_high = begins[last] - lateral;
+      }
       continue;
     }
     const Node& a = node(piece, place.interval);
@@ -469,13 +485,6 @@ Curve SurfaceSheet::section(double along) const {
     pieces.push_back({end_at(piece, 0.0), end_at(piece, length), arc});
   }
   return Curve(pieces);
-}
-
-double SurfaceSheet::place_at(double share) const {
-  const std::span<const double> knots = spline_.knots();
-  const double over = share * static_cast<double>(spline_.last_place_knot());
-  const std::size_t knot = std::min(static_cast<std::size_t>(over), knots.size() - 2);
-  return knots[knot] + (over - static_cast<double>(knot)) * (knots[knot + 1] - knots[knot]);
 }
 
 std::size_t SurfaceSheet::memory() const {

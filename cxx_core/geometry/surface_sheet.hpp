@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "profile/along_spline.hpp"
@@ -98,6 +99,11 @@ public:
   void raise_to(double along, std::span<const double> laterals, std::span<double> heights) const;
   /// The section at a place, as a curve over its arc length.
   [[nodiscard]] Curve section(double along) const;
+  /// Where sections are the same to `tolerance` in mm, by ascending begins; around a wheel the last
+  /// may go on beyond the period. None of a part of slices, at whose sides contact ends.
+  [[nodiscard]] std::vector<Stretch> constant_stretches(double tolerance) const;
+  /// How far it rises anywhere over its section at a place, along the normals of that.
+  [[nodiscard]] double rise_over(double along) const;
   /// Bytes of its tables.
   [[nodiscard]] std::size_t memory() const;
 
@@ -112,19 +118,26 @@ private:
   [[nodiscard]] const Node& node(std::size_t piece, std::size_t knot) const {
     return nodes_[piece * spline_.knots().size() + knot];
   }
+  /// How far sections leave that at a knot, at most, from there to the end of an interval.
+  [[nodiscard]] double change_from(std::size_t knot, std::size_t interval) const;
   void fill(std::span<const SheetSection> sections);
+  /// The longest run of pieces whose begins ascend in lateral all over an interval.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> ascending_run(std::size_t interval) const;
   /// Lateral coordinate of the section at the begins of its pieces, and at its end.
   class BeginLaterals;
   [[nodiscard]] bool is_folded(std::size_t piece, std::size_t interval) const;
   void refuse_folds(std::span<const SheetSection> sections) const;
 
   AlongSpline spline_;
+  bool is_whole_ = true; ///< all of each slice
   std::vector<double> starts_;
   std::vector<Node> nodes_; ///< by pieces, then knots
   /// Lateral coordinate at the begins of pieces, and at the end, and its second derivative along;
   /// by knots, then pieces.
   std::vector<double> begin_lateral_;
   std::vector<double> begin_second_;
+  std::vector<std::pair<std::size_t, std::size_t>>
+      ascending_; ///< by intervals: first, past the last
 };
 
 /// Height, slopes and second derivatives over (along, lateral) of a point that is not vertical.

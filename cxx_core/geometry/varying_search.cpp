@@ -311,12 +311,25 @@ double VaryingSearch::half_length(const Spot& spot, double sign) {
     }
     outside = top;
   }
-  RootBracket heights({inside.length, inside.height}, {outside.length, outside.height});
-  heights.narrow(row_tolerance, [&](double length) -> std::optional<double> {
+  // Newton's method within the bracket, from where a secant meets the depth.
+  double length = inside.length + (outside.length - inside.length) * inside.height /
+                                      (inside.height - outside.height);
+  for (int step = 0; step < most_steps; ++step) {
     const auto found = at(length);
-    return found ? std::optional(found->height) : std::nullopt;
-  });
-  return heights.middle();
+    if (!found) {
+      break;
+    }
+    (found->height < 0.0 ? inside : outside) = *found;
+    double next = length - found->height / found->slope;
+    if (!(next > inside.length && next < outside.length)) {
+      next = 0.5 * (inside.length + outside.length);
+    }
+    if (std::abs(next - length) <= row_tolerance) {
+      return next;
+    }
+    length = next;
+  }
+  return length;
 }
 
 DistanceSample VaryingSearch::sample(const Spot& spot, bool is_near) {

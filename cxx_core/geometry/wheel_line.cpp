@@ -62,6 +62,7 @@ std::optional<double> WheelLine::meet(const Vector3& from, const Vector3& direct
         return std::nullopt;
       }
       height_ = profile->height;
+      profile_ = *profile;
       return position;
     }
     position += step;
@@ -72,16 +73,15 @@ std::optional<double> WheelLine::meet(const Vector3& from, const Vector3& direct
   return std::nullopt;
 }
 
-Vector3 WheelLine::gradient(const Vector3& point) const {
-  const GraphPoint profile = wheel_.over(point).value_or(GraphPoint{});
+Vector3 WheelLine::gradient(const Vector3& point, const GraphPoint& profile) const {
   const double rho = wheel_.radius() + profile.height;
   const AngleRates theta(point);
   return {point.x - rho * profile.by_along * theta.x, -rho * profile.by_lateral,
           point.z - rho * profile.by_along * theta.z};
 }
 
-SecondDerivatives WheelLine::second_derivatives(const Vector3& point) const {
-  const GraphPoint profile = wheel_.over(point).value_or(GraphPoint{});
+SecondDerivatives WheelLine::second_derivatives(const Vector3& point,
+                                                const GraphPoint& profile) const {
   const double rho = wheel_.radius() + profile.height;
   // Of rho^2/2.
   const double by_angle = rho * profile.by_along;

@@ -37,18 +37,24 @@ public:
   std::optional<double> meet(const Vector3& from, const Vector3& direction);
   void start_from(double height) { height_ = height; }
 
-  /// Position on the wheel's profile where the last line met it.
+  /// Position on the wheel's profile where the last line met it, and the profile there.
   [[nodiscard]] double lateral() const { return lateral_; }
   [[nodiscard]] double height() const { return height_; }
-  /// Derivatives of F at a point of the wheel.
-  [[nodiscard]] Vector3 gradient(const Vector3& point) const;
-  [[nodiscard]] SecondDerivatives second_derivatives(const Vector3& point) const;
+  [[nodiscard]] const GraphPoint& profile() const { return profile_; }
+  /// Derivatives of F at a point of the wheel, whose profile may be known.
+  [[nodiscard]] Vector3 gradient(const Vector3& point) const {
+    return gradient(point, wheel_.over(point).value_or(GraphPoint{}));
+  }
+  [[nodiscard]] Vector3 gradient(const Vector3& point, const GraphPoint& profile) const;
+  [[nodiscard]] SecondDerivatives second_derivatives(const Vector3& point,
+                                                     const GraphPoint& profile) const;
 
 private:
   const WheelSurface& wheel_;
   const bool is_round_;
   double lateral_ = 0.0;
   double height_;
+  GraphPoint profile_;
 };
 
 } // namespace wrc

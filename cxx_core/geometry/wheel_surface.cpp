@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 #include "base/error.hpp"
+#include "geometry/constants.hpp"
 
 namespace wrc {
 namespace {
@@ -13,6 +16,12 @@ namespace {
 /// origin: reasoned: with a radius of 500 mm and a yaw of 0.1 rad the locus jumps by 0.05 mm along
 /// the rail there, less than any element.
 constexpr double ridge_turn = 1e-3;
+/// Slope of the steepest flank that touches a rail.
+/// origin: bound: 80 degrees, where flanges of standards have 70.
+constexpr double steepest_flank = 6.0;
+/// Height above first touch at which a wheel is out of reach, mm.
+/// origin: bound: ten times the greatest depth.
+constexpr double out_of_reach = 10.0 * greatest_depth;
 
 double seed_of_wheel(const Curve& curve) {
   // The piece that holds the taping line, s = 0, or the middle if the profile does not reach it.
@@ -66,10 +75,45 @@ WheelSurface::WheelSurface(std::shared_ptr<const SlicedSurface> slices,
     : WheelSurface(slices->section(pitch), dimensions) {
   slices_ = std::move(slices);
   pitch_ = pitch;
+  std::vector<RoundStretch> stretches;
+  for (const ConstantStretch& where : slices_->constant_stretches()) {
+    const WheelSurface round(slices_->section(where.along.begin), dimensions);
+    stretches.push_back({where, std::make_shared<const WheelSurface>(round)});
+  }
+  round_ = std::make_shared<const std::vector<RoundStretch>>(std::move(stretches));
 }
 
 WheelSurface WheelSurface::turned(double pitch) const {
-  return slices_ != nullptr ? WheelSurface(slices_, dimensions_, pitch) : *this;
+  if (slices_ == nullptr) {
+    return *this;
+  }
+  WheelSurface wheel(slices_->section(pitch), dimensions_);
+  wheel.slices_ = slices_;
+  wheel.pitch_ = pitch;
+  wheel.round_ = round_;
+  return wheel;
+}
+
+double WheelSurface::touch_angle(double yaw, double rise) const {
+  const double of_locus = steepest_flank * std::abs(std::sin(yaw));
+  const double above = (out_of_reach + rise) / radius_;
+  return of_locus < 1.0 && above < 1.0 ? std::asin(of_locus) + std::acos(1.0 - above)
+                                       : std::numeric_limits<double>::infinity();
+}
+
+std::shared_ptr<const WheelSurface> WheelSurface::round_at(double pitch, double yaw) const {
+  if (round_ == nullptr) {
+    return nullptr;
+  }
+  for (const RoundStretch& stretch : *round_) {
+    const Stretch& along = stretch.where.along;
+    const double half = 0.5 * (along.end - along.begin);
+    const double from_middle = std::remainder(pitch - (along.begin + half), 2.0 * std::numbers::pi);
+    if (std::abs(from_middle) + touch_angle(yaw, stretch.where.rise) <= half) {
+      return stretch.wheel;
+    }
+  }
+  return nullptr;
 }
 
 std::optional<PartEnd> WheelSurface::nearest_end(double x) const {
@@ -82,10 +126,12 @@ std::optional<PartEnd> WheelSurface::nearest_end(double x) const {
 }
 
 std::shared_ptr<const WheelSurface> turned(const std::shared_ptr<const WheelSurface>& wheel,
-                                           double pitch) {
-  return wheel->is_prismatic_along(along_track)
-             ? wheel
-             : std::make_shared<const WheelSurface>(wheel->turned(pitch));
+                                           double pitch, double yaw) {
+  if (wheel->is_prismatic_along(along_track)) {
+    return wheel;
+  }
+  std::shared_ptr<const WheelSurface> round = wheel->round_at(pitch, yaw);
+  return round != nullptr ? round : std::make_shared<const WheelSurface>(wheel->turned(pitch));
 }
 
 LocusPose::LocusPose(const Pose& pose, const Rotation& rotation_of_pose)

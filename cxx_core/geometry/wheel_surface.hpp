@@ -109,6 +109,11 @@ public:
   }
   /// The same wheel turned to a pitch.
   [[nodiscard]] WheelSurface turned(double pitch) const;
+  /// The angle of the wheel to both sides of the one that points down, beyond which a rail cannot
+  /// touch it; `rise`: by how much wheel and rail are closer there. Infinite for large yaws.
+  [[nodiscard]] double touch_angle(double yaw, double rise) const;
+  /// The round wheel that a rail meets at a pitch; none where it varies within `touch_angle`.
+  [[nodiscard]] std::shared_ptr<const WheelSurface> round_at(double pitch, double yaw) const;
   /// The profile at a point in the wheelset's frame, Y counted from the taping line: height over
   /// (theta, lateral). None beside the parts of a wheel; one without parts is clamped.
   [[nodiscard]] std::optional<GraphPoint> over(const Vector3& point) const;
@@ -141,6 +146,11 @@ private:
   WheelsetDimensions dimensions_;
   std::shared_ptr<const SlicedSurface> slices_; ///< none: round
   double pitch_ = 0.0;
+  struct RoundStretch {
+    ConstantStretch where;
+    std::shared_ptr<const WheelSurface> wheel;
+  };
+  std::shared_ptr<const std::vector<RoundStretch>> round_; ///< where slices are the same
 };
 
 inline std::optional<GraphPoint> WheelSurface::over(const Vector3& point) const {
@@ -155,8 +165,9 @@ inline std::optional<GraphPoint> WheelSurface::over(const Vector3& point) const 
   return profile;
 }
 
-/// The wheel turned to a pitch, or itself where that changes nothing.
+/// The wheel turned to a pitch, as a rail meets it under a yaw: a round one where that is all it
+/// meets.
 std::shared_ptr<const WheelSurface> turned(const std::shared_ptr<const WheelSurface>& wheel,
-                                           double pitch);
+                                           double pitch, double yaw);
 
 } // namespace wrc

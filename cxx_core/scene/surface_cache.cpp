@@ -328,8 +328,8 @@ SceneSurfaces SurfaceCache::get(const Scene& scene) {
     if (is_solved || !scene.roll) { // without a roll both wheels are needed
       found.rail->refuse_beyond_slices(scene.along);
     }
-    found.rail = posed(found.rail, displacement, scene.along);
-    found.wheel = turned(found.wheel, scene.pitch);
+    found.rail = posed(found.rail, displacement, scene.along, *found.wheel, scene.yaw);
+    found.wheel = turned(found.wheel, scene.pitch, scene.yaw);
     return found;
   };
   surfaces.left =

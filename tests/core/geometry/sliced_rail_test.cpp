@@ -1,6 +1,7 @@
 /// Rails through slices: the files that CONTACT's examples come with, and gaps.
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/rail_line.hpp"
 #include "geometry/sliced_surface.hpp"
 #include "geometry/varying_shapes.hpp"
 #include "profile/slice_matching.hpp"
@@ -169,6 +171,42 @@ TEST(SlicedRail, ACrossingWithoutFeaturesMakesASurface) {
   is_straight(28.0, -600.0, 60.0);
   is_straight(50.0, 0.0, 300.0);
   is_straight(-15.0, 700.0, 2100.0);
+}
+
+/// Reach is 460 acos(1 - 3/460) = 52.6 mm, under yaw more; slices are 5 mm apart.
+TEST(SlicedRail, IsAPrismToAWheelThatDoesNotReachWhatVaries) {
+  const WheelSurface wheel(standard_profile("S1002"), wheelset);
+  const auto rail_with = [](double rise) {
+    const SlicedProfile dip = crown_along(places_every(0.0, 1000.0, 5.0), [&](double x) {
+      return std::abs(x - 500.0) < 50.0
+                 ? rise * std::pow(std::cos(0.01 * std::numbers::pi * (x - 500.0)), 4.0)
+                 : 0.0;
+    });
+    return std::make_shared<const RailSurface>(sliced_rail(dip, 0.0), dip.slices.front().curve,
+                                               level_track);
+  };
+  const auto rail = rail_with(-1.0);
+  const auto is_prism = [&](const auto& of, double along, double yaw) {
+    return posed(of, {}, along, wheel, yaw)->is_prismatic_along(along_track);
+  };
+  for (const double along : {60.0, 200.0, 300.0, 700.0, 940.0})
+    EXPECT_TRUE(is_prism(rail, along, 0.0)) << along;
+  for (const double along : {0.0, 40.0, 430.0, 500.0, 550.0, 960.0})
+    EXPECT_FALSE(is_prism(rail, along, 0.0)) << along;
+  EXPECT_FALSE(is_prism(rail, 300.0, 0.05));
+  double flat = 300.0;
+  double bump = 300.0;
+  for (const auto high = rail_with(1.0); is_prism(high, bump, 0.0);)
+    bump += 0.5;
+  while (is_prism(rail, flat, 0.0))
+    flat += 0.5;
+  EXPECT_NEAR(flat - bump, 460.0 * (std::acos(1.0 - 4.0 / 460.0) - std::acos(1.0 - 3.0 / 460.0)),
+              1.0);
+  const RailDisplacement displacement{1.5, -0.25, 0.001};
+  const auto prism = posed(rail, displacement, 200.0, wheel, 0.0);
+  const RailSurface whole = rail->posed(displacement, 200.0);
+  for (const double y : {740.0, 750.0, 765.0})
+    EXPECT_NEAR(height_near(*prism, 0.0, y), height_near(whole, 0.0, y), 1e-9);
 }
 
 } // namespace

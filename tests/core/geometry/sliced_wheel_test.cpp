@@ -1,6 +1,7 @@
 /// Wheels through slices: harmonics, flats, periodicity.
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -45,6 +46,43 @@ SlicedProfile chord_flat(double radius, double length, double step) {
         std::abs(theta) < half ? radius - radius * std::cos(half) / std::cos(theta) : 0.0;
     return curve_of([&](double) { return Height{-depth, 0.0, 0.0}; });
   });
+}
+
+/// The flat and the waves of its spline end at 0.12 rad, reach is acos(1 - 3/450) = 0.12 rad.
+TEST(SlicedWheel, IsRoundToARailThatDoesNotReachWhatVaries) {
+  const WheelsetDimensions dimensions{1360.0, 70.0, 450.0};
+  const auto flat = std::make_shared<const WheelSurface>(
+      sliced_wheel(chord_flat(450.0, 50.0, 0.002), 450.0), dimensions, 0.0);
+  const auto is_round = [&](double pitch, double yaw) {
+    return turned(flat, pitch, yaw)->is_prismatic_along(along_track);
+  };
+  EXPECT_NEAR(flat->touch_angle(0.0, 0.0), std::acos(1.0 - 3.0 / 450.0), 1e-12);
+  for (const double pitch : {0.25, 0.3, std::numbers::pi, -0.25, 0.25 + revolution, -7.0})
+    EXPECT_TRUE(is_round(pitch, 0.0)) << pitch;
+  for (const double pitch : {0.0, 0.1, -0.16, 0.1 + revolution})
+    EXPECT_FALSE(is_round(pitch, 0.0)) << pitch;
+  EXPECT_FALSE(is_round(0.3, 0.03)) << "under yaw flanks touch ahead of the axle";
+  EXPECT_TRUE(is_round(0.5, 0.03));
+  EXPECT_FALSE(is_round(std::numbers::pi, 0.2)) << "steep flanks touch anywhere";
+  EXPECT_NEAR(turned(flat, 2.0, 0.0)->graph().at_lateral(3.0).height, 0.0, 1e-9);
+  EXPECT_EQ(turned(flat, 2.0, 0.0), turned(flat, 2.1, 0.0)) << "the same surface, made once";
+  // What rises over the rest of the wheel is met from farther away.
+  EXPECT_GT(flat->touch_angle(0.0, 2.0), flat->touch_angle(0.0, 0.0) + 0.02);
+  const WheelSurface wavy = wavy_wheel(curve_of([](double) { return Height{}; }), {{1, 0.5, 0.0}});
+  EXPECT_FALSE(wavy.round_at(1.0, 0.0));
+}
+
+TEST(SlicedWheel, ABumpIsMetFromFartherAwayThanAFlat) {
+  const auto first_round = [](double depth) {
+    const auto wheel = std::make_shared<const WheelSurface>(wheel_of(flattened_cylinder(
+        450.0, 0.2, 0.002, [&](double theta) { return rounded_depth(theta, depth, 0.06); })));
+    double pitch = 0.0;
+    while (!turned(wheel, pitch, 0.0)->is_prismatic_along(along_track))
+      pitch += 0.001;
+    return pitch;
+  };
+  EXPECT_NEAR(first_round(-2.0) - first_round(2.0),
+              std::acos(1.0 - 5.0 / 450.0) - std::acos(1.0 - 3.0 / 450.0), 2e-3);
 }
 
 TEST(SlicedWheel, AFlatHasTheDepthOfItsChordAndIsPeriodic) {

@@ -84,7 +84,7 @@ TEST(WheelLine, HasTheDerivativesOfDifferences) {
       };
       const Vector3 gradient = line.gradient(point);
       const std::array<double, 3> first{gradient.x, gradient.y, gradient.z};
-      const SecondDerivatives second = line.second_derivatives(point);
+      const SecondDerivatives second = line.second_derivatives(point, wheel.over(point).value());
       const double matrix[3][3] = {{second.xx, second.xy, second.xz},
                                    {second.xy, second.yy, second.yz},
                                    {second.xz, second.yz, second.zz}};
