@@ -12,6 +12,7 @@
 #include "geometry/side_frame.hpp"
 #include "models/hertz.hpp"
 #include "results/combined_contact.hpp"
+#include "results/constants.hpp"
 #include "results/cut_contact.hpp"
 
 namespace wrc {

@@ -200,8 +200,8 @@ StaticEquilibrium find_static_equilibrium(const Scene& scene, const VehicleState
   Two step{};
   bool is_lifted = true; // one of the wheels, in the best place
   int vain = 0;
-  for (int solutions = 1; solutions < max_solutions && vain < max_vain_solutions && !best.converged;
-       ++solutions) {
+  int solutions = 1;
+  for (; solutions < max_solutions && vain < max_vain_solutions && !best.converged; ++solutions) {
     posed.vertical = place[0];
     posed.roll = place[1];
     SceneResult result = solver.solve(posed);
@@ -226,6 +226,7 @@ StaticEquilibrium find_static_equilibrium(const Scene& scene, const VehicleState
     }
     place = {best_place[0] + step[0], best_place[1] + step[1]};
   }
+  best.solutions = solutions;
   best.scene.derivatives = state.derivatives;
   best.scene.side = scene.side;
   best.vertical = to_caller(best_place[0], convention, turning_length);

@@ -37,6 +37,7 @@ struct StaticEquilibrium {
   double roll = 0.0;       ///< rad
   double unbalanced = 0.0; ///< what is missing of both loads, each over its size (norm)
   bool converged = false;  ///< all loads are met
+  int solutions = 0;       ///< that it took
 };
 
 /// Position: lateral and yaw are used. Throws Error(invalid_argument) for loads that are not

@@ -1,4 +1,5 @@
 /// What concerns the whole process: the planner's lock, wisdom.
+#include "all_results.hpp"
 #include "owned_handles.hpp"
 
 namespace process_test {

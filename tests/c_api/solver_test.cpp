@@ -276,5 +276,18 @@ TEST_F(SolverFiles, AreReadAgainOnceForgotten) {
   EXPECT_EQ(AllResults(scene.get()).difference_to(before), "");
 }
 
+/// A scene by itself reads a file again when it has changed, not at every solution.
+TEST_F(SolverFiles, AreReadOnceByAScene) {
+  const ProfilePointer profile = make_profile();
+  ASSERT_EQ(wrc_profile_load_standard(profile.get(), "60E1"), WRC_OK);
+  ASSERT_EQ(wrc_profile_write(profile.get(), path("rail.prr").c_str(), 0.1), WRC_OK);
+  const ScenePointer scene = make_scene_at({1.0}, 1e-2);
+  set(scene.get(), {{"track.rail", path("rail.prr").c_str()}});
+  ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK) << wrc_scene_error(scene.get());
+  EXPECT_GT(number_of(scene.get(), "time.profile"), 0.0);
+  ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
+  EXPECT_EQ(number_of(scene.get(), "time.profile"), 0.0);
+}
+
 } // namespace
 } // namespace solver_test

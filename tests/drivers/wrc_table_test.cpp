@@ -15,6 +15,10 @@ TEST_F(WrcTable, ShowsTheTableThatItMakes) {
   ASSERT_EQ(made.exit_code, 0) << made.error;
   EXPECT_NE(made.error.find("50 %"), std::string::npos) << made.error;
   EXPECT_NE(made.out.find("beyond the error returned with them"), std::string::npos) << made.out;
+  EXPECT_NE(
+      made.out.find("over its vertical force, or over half of the largest load if that is more"),
+      std::string::npos)
+      << made.out;
   const Outcome shown = run("small.table --show");
   ASSERT_EQ(shown.exit_code, 0) << shown.error;
   EXPECT_EQ(shown.out, made.out.substr(0, made.out.find("made in")));
@@ -25,6 +29,15 @@ TEST_F(WrcTable, ShowsTheTableThatItMakes) {
         "reaches to lateral 1 mm, roll 0.003 rad, yaw 0.01 rad, load 120000 N\n"}) {
     EXPECT_NE(shown.out.find(line), std::string::npos) << line << " is not in:\n" << shown.out;
   }
+}
+
+/// What is left of a build that was stopped is read, or the reason said why not.
+TEST_F(WrcTable, GoesOnFromWhatIsFinished) {
+  write("a.table.unfinished", "of something else");
+  const Outcome outcome = run("a.table --lateral 1 --load 1.2e5 --fineness 0.2");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.error.find("remove it to begin again"), std::string::npos) << outcome.error;
+  EXPECT_EQ(read("a.table.unfinished"), "of something else");
 }
 
 /// The ranges that --help states are those that are checked.

@@ -42,6 +42,7 @@ runs() {
   expect "$(wc -l <table) == 211" "a line for each step"
   # After 90 steps the matrix has served 10, with a rate that has been measured.
   same_state whole.txt second.txt "a run that is stopped and restarted, on one thread"
+  expect "$(value whole.txt 'largest error of steady creep forces') > 0" "forces change in a transition curve"
   expect "$(value first.txt evaluations) <= 0.7*$(value differences.txt evaluations)" \
     "a Jacobian by the library saves ten evaluations"
   expect "$(value first.txt 'Newton iterations') <= 1.1*$(value fresh.txt 'Newton iterations')" \

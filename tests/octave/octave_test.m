@@ -92,7 +92,8 @@
 %! assert (size (state), [1 2]);
 %! r = wrc_step ('results', w);
 %! assert (r.left.total.force.z, force(3, 1));
-%! h(1) = w; % in an array of four wheelsets
+%! h = zeros (1, 4); % an array of doubles, of four wheelsets
+%! h(1) = w;
 %! h(4) = wrc_step ('open', 'solve.creep', 'fastsim');
 %! assert (wrc_step (h(4), position, velocity, rails), force);
 %! assert (wrc_step (h(1), position, velocity, rails), force);
@@ -168,6 +169,12 @@
 %! n = wrc_normal ((x .^ 2 + (y + 3) .^ 2) / 600, [0.5 0.5], 'normal_load', 2e4);
 %! assert (n.warning_classes, {'grid_edge'});
 %! assert (strncmp (n.warnings{1}, 'contact reaches the edge', 24));
+%! warning ('error', 'wrcontact:grid_edge', 'local');
+%! fail ("wrc_normal ((x .^ 2 + (y + 3) .^ 2) / 600, [0.5 0.5], 'normal_load', 2e4)", 'contact reaches the edge');
+
+%!test <*a little over the accuracy is a warning of its own>
+%! warning ('error', 'wrcontact:a_little_over', 'local');
+%! fail ("wrc_solve ('pose.lateral', 5, 'solve.accuracy', 0.004)", 'the rail turns by');
 
 %!test <*keys and help>
 %! keys = wrc_keys ('pose.');

@@ -44,6 +44,14 @@ def test_results_of_other_processes_come_frozen_or_not_at_all():
             pool.map_async(solved, [0, 1]).get(timeout=60)
 
 
+def test_an_error_is_sent_without_its_result():
+    error = wrcontact.NotConverged("not converged")
+    error.status, error.result = 8, solved(0)
+    sent = pickle.loads(pickle.dumps(error))
+    assert type(sent) is wrcontact.NotConverged and str(sent) == "not converged"
+    assert sent.status == 8 and sent.result is None
+
+
 def test_handles_are_copied_or_refused_never_shared():
     scene, solver, history = wrcontact.Scene(**SCENE), wrcontact.Solver(), wrcontact.History()
     position, velocity = [0, 1.0, 459.8, 0, 0, 0], np.array([0, 2.0, 0, 0, 0, 0])

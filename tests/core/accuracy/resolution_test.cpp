@@ -100,6 +100,19 @@ TEST(Resolution, BentGapsTakeMoreColumns) {
   }
 }
 
+/// Elsewhere a contact that is shorter than wide takes fewer columns for creep forces.
+TEST(Resolution, ShortContactsOfBentGapsKeepTheirColumns) {
+  constexpr AccuracyGoal goal{.accuracy = 1e-2, .creep_forces = true};
+  const double least = std::sqrt(creep_column_law / goal.accuracy);
+  ExpectedContact shorter = expected;
+  shorter.length = 2.5;
+  shorter.scale = {3.0, 1.5};
+  EXPECT_LT(1.5 / final_elements({&shorter, 1}, goal).front().longitudinal_step, least);
+  shorter.bend = 1.0;
+  EXPECT_GE(1.5 / final_elements({&shorter, 1}, goal).front().longitudinal_step,
+            bent_columns * least);
+}
+
 TEST(Resolution, ElementsStayAnchoredAtTheMiddle) {
   EXPECT_EQ(elements_for({}).mean_x, 5.0);
   EXPECT_EQ(elements_for({}).mean_y, 750.0);
@@ -124,6 +137,9 @@ TEST(Resolution, ErrorsFollowTheFewerElements) {
     std::fill_n(patch.pressure.begin() + static_cast<std::ptrdiff_t>(20 * row + 5), 10, 1000.0);
   }
   EXPECT_NEAR(estimate_error(solution, {}).elements, law(columns_along / 0.64), rounding);
+  // A place is off by more than elements of creep forces are.
+  constexpr AccuracyGoal coarse{.accuracy = 1e-2};
+  EXPECT_EQ(estimate_error(solution, coarse).elements, least_error * coarse.of_contact());
 }
 
 /// A patch about to lift has few rows left; the largest pressure may still be its own.

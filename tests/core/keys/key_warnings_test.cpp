@@ -182,6 +182,7 @@ TEST(KeyWarnings, LoadsSpeedsAndInclinationsThatNoWheelHas) {
     return begin(told(scene_with(settings), kind));
   };
   EXPECT_EQ(named({{"load.both", 80.0}}), Texts{"load.both"});
+  EXPECT_EQ(named({{"load.both", 7e4}, {"load.left", 80.0}}), Texts{"load.left"});
   EXPECT_EQ(named({{"load.both", 7e4}, {"load.right", 999.0}}), Texts{"load.right"});
   EXPECT_EQ(named({{"load.left", 6e4}, {"load.right", 0.0}}), Texts{});
   EXPECT_EQ(named({{"load.both", 1000.0}}), Texts{});

@@ -74,6 +74,14 @@ TEST(SceneKeys, CaseDoesNotMatter) {
 }
 
 /// A range is stated with the unit: "600 to 1700 mm".
+TEST(SceneKeys, ProfilesHaveTheNameOfTheirStandard) {
+  Scene scene;
+  set_text(scene, "track.rail", "uic54");
+  set_text(scene, "wheelset.wheel", "lma");
+  EXPECT_EQ(scene.left.rail.name, "54E1");
+  EXPECT_EQ(scene.right.wheel.name, "LMA");
+}
+
 TEST(SceneKeys, UnitsAreThoseOfTheirRanges) {
   for (const KeyDescription& key : scene_keys()) {
     const std::string unit = key_unit(key.name, Units::mm);

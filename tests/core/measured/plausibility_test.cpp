@@ -194,5 +194,36 @@ TEST(Plausibility, ScatterOfDigitsIsRecognised) {
   EXPECT_FALSE(rounded(0.003).is_of_digits);
 }
 
+/// A guard rail 25 mm above the head does not say where the running surface is: its end is kept,
+/// its height is right, and a gap in it has a warning.
+TEST(Plausibility, AGuardRailIsNotTheCrown) {
+  std::vector<Position> points;
+  for (double y = -110.0; y <= -90.0; y += 0.5) {
+    points.push_back({y, 25.0});
+  }
+  for (double z = 24.5; z > -36.0; z -= 0.5) {
+    points.push_back({-90.0 + 0.02 * (25.0 - z), z});
+  }
+  for (double y = -88.0; y < -40.0; y += 0.5) {
+    points.push_back({y, -37.0});
+  }
+  for (const Position& point : equal_points(standard_profile("60E1").curve)) {
+    if (point[0] < 2.0 || point[0] > 10.0) {
+      points.push_back(point);
+    }
+  }
+  ReadOptions options;
+  options.mirror_height = false;
+  options.kind = ProfileKind::rail;
+  const ReadResult read = profile_through(points, "guarded", options);
+  EXPECT_EQ(read.measured.back(), points.back());
+  std::vector<WarningClass> kinds;
+  for (const Warning& warning : read.profile.warnings) {
+    kinds.push_back(warning.kind);
+  }
+  EXPECT_EQ(std::ranges::count(kinds, WarningClass::profile_origin), 0);
+  EXPECT_EQ(std::ranges::count(kinds, WarningClass::profile_gap), 1);
+}
+
 } // namespace
 } // namespace wrc::test::plausibility_test

@@ -57,6 +57,11 @@ TEST(ProfileCleaning, TwoScansThatDoNotFitAreNotPutInOrder) {
     RawProfile raw = raw_of(points);
     order_points(raw, log);
     EXPECT_EQ(raw.points, points) << apart;
+    // One behind the other, both from the same end.
+    std::ranges::stable_sort(points, {}, [](const Position& point) { return point[1]; });
+    raw = raw_of(points);
+    order_points(raw, log);
+    EXPECT_EQ(raw.points, points) << apart;
   }
 }
 

@@ -131,6 +131,20 @@ TEST(Tilt, WheelsThatAreNotTiltedHaveNoWarning) {
   }
 }
 
+/// As a laser scanner may give them, which knows nothing of the wheel.
+TEST(Tilt, PointsAnywhereAreAlignedToANominal) {
+  ReadOptions options;
+  options.align_to = "S1002";
+  std::vector<Position> points = wheel(Faces::none, 20.0 * degree);
+  for (Position& point : points)
+    point = {point[0] - 40.0, point[1] + 90.0};
+  const ReadResult aligned = read(points, options);
+  const auto left = alignment_to(standard_profile("S1002").curve, aligned.measured);
+  ASSERT_TRUE(left);
+  EXPECT_NEAR(left->motion.rotation, 0.0, 1e-5);
+  EXPECT_LT(std::hypot(left->motion.shift[0], left->motion.shift[1]), 1e-3);
+}
+
 TEST(Tilt, AStatedRotationOrNominalReplacesTheSearch) {
   ReadOptions options;
   options.rotation = 0.0;

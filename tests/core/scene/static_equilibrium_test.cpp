@@ -115,6 +115,19 @@ TEST(StaticEquilibrium, UsesTheConventionOfTheScene) {
   EXPECT_NEAR(outside.roll, inside.roll, 1e-12);
 }
 
+/// A big wheel at the edge of contact stands nowhere so: once 41 solutions, of 0.1 s each.
+TEST(StaticEquilibrium, EndsSoonWhereNoPositionBalancesTheLoads) {
+  Scene scene;
+  scene.left.rail.name = scene.right.rail.name = "CHN60";
+  scene.left.radius = scene.right.radius = 3479.2114367892482;
+  SceneSolver solver;
+  const StaticEquilibrium found =
+      find_static_equilibrium(scene, at(-7.9560149149391677, -0.0095034105454016166),
+                              {LoadsOf::axle, {142.66428428835016, -71874.923330939375}}, solver);
+  EXPECT_FALSE(found.converged);
+  EXPECT_LE(found.solutions, 20);
+}
+
 TEST(StaticEquilibrium, RefusesLoadsThatNoWheelsetCarries) {
   SceneSolver solver;
   const auto find = [&solver](LoadsOf of, double first, double second) {

@@ -68,6 +68,9 @@ TEST(TableBuild, RefusesWhatATableCannotHave) {
   scene = scene_of_small_table();
   scene.right.friction.coefficient = 0.1;
   EXPECT_NE(message_of(scene, options).find("friction.right = 0.1"), std::string::npos);
+  scene = scene_of_small_table();
+  scene.left.wheel.name = scene.right.wheel.name = "S1002\x1b[31m";
+  EXPECT_NE(message_of(scene, options).find("must be text of one line"), std::string::npos);
   TableOptions large = options;
   large.ranges.lateral = 30.0;
   large.fineness = 4.0;

@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "results/wheel_state.hpp"
+#include "support/errors.hpp"
 #include "table/constants.hpp"
 #include "table/small_table.hpp"
 
@@ -275,6 +276,23 @@ TEST(TableStep, RefusesNumbersOutOfRange) {
     for (const double number : wheel.force) {
       EXPECT_TRUE(std::isfinite(number));
     }
+  }
+}
+
+/// As a forged file may have them: all are finite, but forces would be 0 times infinity.
+TEST(TableStep, RefusesATableWhoseNumbersGiveNoForce) {
+  ContactTable table = small_table();
+  std::vector<float>& numbers = table.contact.coefficients();
+  for (std::size_t i = static_cast<std::size_t>(TablePart::normal); i < numbers.size();
+       i += table_part_count) {
+    numbers[i] = 0.0F;
+  }
+  VehicleState state = running_state();
+  for (const bool derivatives : {false, true}) {
+    state.derivatives = derivatives;
+    expect_error(
+        ErrorCode::file_malformed, [&] { (void)step_in_table(table, state, nullptr); },
+        "no finite force");
   }
 }
 
