@@ -44,8 +44,6 @@ WheelRequest request_of(const Scene& scene, double load) {
   request.creep_forces = (scene.has_creepages() || scene.motion) &&
                          scene.creep.value_or(CreepModel::full) == CreepModel::full;
   request.stresses = scene.damage.stress;
-  request.elements = scene.elements.value_or(
-      scene.solver == SolverChoice::paper ? Elements::constant : Elements::smooth);
   return request;
 }
 
@@ -69,7 +67,7 @@ CreepRequest creep_options_of(const Scene& scene, const SceneSide& side) {
   request.element_limit = scene.most_elements();
   request.pitch_is_free = scene.motion.has_value() && scene.pitch_is_free;
   request.derivatives = scene.derivatives;
-  request.slip = {scene.slip, scene.slip_surface};
+  request.slip = scene.slip;
   request.material = shear_constants_of(scene, side);
   request.combined_modulus = combined_modulus(scene.wheel_material, scene.rail_material);
   return request;

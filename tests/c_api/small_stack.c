@@ -77,7 +77,7 @@ static void make_table(void) {
 static void* run(void* unused) {
   read_and_write_profiles();
   solve("motion.pitch", "free");
-  solve("solve.solver", "paper");
+  solve("solve.method", "paper");
   solve("solve.creep", "fastsim");
   solve("solve.planner", "measure");
   make_table();

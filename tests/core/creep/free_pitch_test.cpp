@@ -192,7 +192,7 @@ TEST(FreePitch, MatchesContactsCasesWithAPrescribedForce) {
     scene.accuracy_of = AccuracyOf::forces;
     scene.motion = Motion{.speed = 1e3 * input.at("vx_m_s").get<double>()};
     scene.pitch_is_free = true;
-    scene.slip = SlipVariation::planar; // D = 2
+    scene.slip.variation = SlipVariation::planar; // D = 2
     // The force on the wheel is the other way round, at the rolling radius.
     const auto& patch = reference.at("patches").at(0);
     const double rolling_radius =
