@@ -44,6 +44,12 @@ inline constexpr std::array removed_names{
     RemovedName{NameOf::key, "solve.elements",
                 "use solve.method = \"paper\" for elements of constant pressure"},
     RemovedName{NameOf::key, "solve.interaction", "all patches of a wheel displace each other"},
+    RemovedName{
+        NameOf::key, "solve.planner",
+        "it is an option of a solver: wrc_solver_set_text(solver, \"planner\", \"measure\")"},
+    RemovedName{
+        NameOf::key, "solve.precision",
+        "it is an option of a solver: wrc_solver_set_text(solver, \"precision\", \"double\")"},
     // The first of two numbers was the lateral one in grids, the longitudinal one in axes and
     // radii.
     RemovedName{NameOf::result, "grid.0", "grid.lateral"},

@@ -113,8 +113,6 @@ struct Scene : WheelOptions {
 
   SideChoice side = SideChoice::both;
   ModelRequest model = ModelRequest::automatic;
-  PlannerRigor planner = PlannerRigor::estimate;
-  Precision precision = Precision::mixed;
   double near_tolerance = 0.1; ///< contacts listed as near: distance at first touch, mm
   int threads = 1;
 
@@ -127,6 +125,12 @@ struct Scene : WheelOptions {
   [[nodiscard]] bool has_creepages() const { return left.creepages || right.creepages; }
   /// Over which the axle's speed is that of rolling, mm.
   [[nodiscard]] double nominal_radius() const { return 0.5 * (left.radius + right.radius); }
+};
+
+/// What a solver of scenes does its work with: no result changes by more than its tolerance.
+struct SolverOptions {
+  PlannerRigor planner = PlannerRigor::estimate;
+  Precision precision = Precision::mixed; ///< of the iteration for pressures
 };
 
 /// Whether a profile is that of a slices file.

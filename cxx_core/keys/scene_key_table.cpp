@@ -218,14 +218,6 @@ std::vector<Key> accuracy_keys() {
 
 std::vector<Key> solution_keys() {
   std::vector<Key> keys;
-  keys.push_back(word_key<Precision>(
-      {"solve.precision", "\"mixed\"", "\"mixed\" or \"double\"",
-       "precision of the iteration; mixed is faster and meets the same tolerance"},
-      {{"mixed", Precision::mixed}, {"double", Precision::double_only}}, &Scene::precision));
-  keys.push_back(word_key<PlannerRigor>(
-      {"solve.planner", "\"estimate\"", "\"estimate\" or \"measure\"",
-       "how FFTW chooses its algorithms: by rule, or by timing them once"},
-      {{"estimate", PlannerRigor::estimate}, {"measure", PlannerRigor::measure}}, &Scene::planner));
   keys.push_back(
       number_key({"solve.joining_distance", "4", "0 to 100 mm",
                   "penetrations closer than twice this distance share a plane and count as one "

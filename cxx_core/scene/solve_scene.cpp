@@ -300,10 +300,9 @@ struct SceneSolver::State {
   std::optional<NormalSolver> left;
   std::optional<NormalSolver> right;
   std::optional<RollingSolver> rolling;
-  PlannerRigor planner = PlannerRigor::estimate; ///< of the solvers
-  Precision precision = Precision::mixed;
+  SolverOptions options;
 
-  void prepare_solvers(const Scene& scene);
+  void prepare_solvers();
   void solve_wheels(const Scene& scene, const SceneSurfaces& surfaces, const ModelChoice& model,
                     const WheelsetEquilibrium& equilibrium, const WheelLoads& loads,
                     SceneResult& result);
@@ -313,20 +312,15 @@ struct SceneSolver::State {
   SceneResult solve(const Scene& scene);
 };
 
-void SceneSolver::State::prepare_solvers(const Scene& scene) {
-  const bool others = planner != scene.planner || precision != scene.precision;
-  LinePlans* plans =
-      scene.planner == PlannerRigor::measure ? &shared->measured : &shared->estimated;
-  for (std::optional<NormalSolver>* solver : {&left, &right}) {
-    if (others || !*solver) {
-      solver->emplace(std::shared_ptr<LinePlans>(shared, plans), scene.precision);
-    }
+void SceneSolver::State::prepare_solvers() {
+  if (rolling) {
+    return;
   }
-  if (others || !rolling) {
-    rolling.emplace(std::shared_ptr<LinePlans>(shared, plans));
-  }
-  planner = scene.planner;
-  precision = scene.precision;
+  const std::shared_ptr<LinePlans> plans(
+      shared, options.planner == PlannerRigor::measure ? &shared->measured : &shared->estimated);
+  left.emplace(plans, options.precision);
+  right.emplace(plans, options.precision);
+  rolling.emplace(plans);
 }
 
 /// Normal contact of those wheels whose load is new: the right one on a thread of its own, if there
@@ -423,7 +417,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   SceneResult result;
   const ModelChoice model = choose_model(scene);
   const SceneSurfaces surfaces = shared->surfaces->get(scene);
-  prepare_solvers(scene);
+  prepare_solvers();
   result.key_warnings = KeyWarnings(scene);
   result.corrections = surfaces.corrections;
   result.profile_warnings = surfaces.warnings;
@@ -474,23 +468,33 @@ CreepResult SceneSolver::solve_creep(const Scene& scene, const WheelResult& whee
   request.creepages = creepages;
   request.speed = scene.motion ? std::abs(scene.motion->speed) : 0.0;
   request.derivatives = derivatives;
-  state_->prepare_solvers(scene);
+  state_->prepare_solvers();
   std::vector<CreepResult> parts;
   return creep_of_patch(wheel, patch, request, *state_->rolling, parts);
 }
 
+void SceneSolver::set_options(const SolverOptions& options) {
+  state_->options = options;
+  state_->rolling.reset(); // and with it the others
+}
+
 void SceneSolver::forget() {
-  *this = SceneSolver();
+  SceneSolver fresh;
+  fresh.set_options(state_->options);
+  *this = std::move(fresh);
 }
 
 SceneSolver SceneSolver::beside() const {
   SceneSolver other;
+  other.set_options(state_->options);
   other.state_->shared = state_->shared;
   return other;
 }
 
-SceneResult solve_scene(const Scene& scene) {
-  return SceneSolver().solve(scene);
+SceneResult solve_scene(const Scene& scene, const SolverOptions& options) {
+  SceneSolver solver;
+  solver.set_options(options);
+  return solver.solve(scene);
 }
 
 } // namespace wrc

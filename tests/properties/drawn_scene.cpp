@@ -169,7 +169,6 @@ void DrawnScene::draw_solution() {
   choose("solve.method", 0.05, "paper");
   choose("solve.side", 0.1, "left");
   choose("solve.side", 0.1, "right");
-  choose("solve.precision", 0.2, "double");
   if (chance(0.2)) {
     set("solve.joining_distance", chance(0.5) ? 0.0 : between(0.0, 20.0));
   }

@@ -255,8 +255,7 @@ TEST(FreePitch, JumpsOfForcesEndTheSearch) {
   scene.vertical = 606.74697540262969;
   scene.accuracy = 1.1056112753860231e-3;
   scene.motion.emplace(); // for the grid of normal contact
-  scene.precision = Precision::double_only;
-  SceneResult normal = solve_scene(scene);
+  SceneResult normal = solve_scene(scene, {.precision = Precision::double_only});
   CreepRequest request;
   request.model = CreepModel::full;
   request.motion = Motion{.speed = 181.7825001337884};
