@@ -106,6 +106,17 @@ template <class AnObject> struct TextKey {
   void (*set)(AnObject&, const char* key, const char* value);
 };
 
+/// Those of a solver's options.
+inline void set_precision(SolverOptions& options, const char* key, const char* value) {
+  options.precision = chosen<Precision>(
+      key, value, {{"mixed", Precision::mixed}, {"double", Precision::double_only}});
+}
+inline void set_planner(SolverOptions& options, const char* key, const char* value) {
+  using Rigor = PlannerRigor;
+  options.planner =
+      chosen<Rigor>(key, value, {{"estimate", Rigor::estimate}, {"measure", Rigor::measure}});
+}
+
 /// Runs a body that needs results.
 template <class Handle, class Body> wrc_status with_result(Handle* handle, Body&& body) {
   return guard(handle, [&](Object<Handle>& object) -> wrc_status {

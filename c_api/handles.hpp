@@ -53,6 +53,7 @@ struct SceneObject {
 
 struct SolverObject {
   SceneSolver solver;
+  SolverOptions options;
   std::string error;
 };
 
@@ -98,8 +99,7 @@ struct NormalObject {
   NormalProblem problem; ///< its span is set at each solve
   bool paper_method = false;
   std::optional<Elements> elements; ///< smooth, but constant with the paper's method, if not set
-  Precision precision = Precision::mixed;
-  PlannerRigor rigor = PlannerRigor::estimate;
+  SolverOptions options;
   std::optional<NormalSolver> solver; ///< none until first used with these settings
   std::optional<NormalResult> result;
   std::string error;

@@ -43,14 +43,6 @@ constexpr auto normal_number_keys = std::to_array<wrc::NumberKey<NormalProblem>>
      true},
 });
 
-/// With another solver from the next solution on, if the setting is another one.
-template <class Setting> void change(NormalObject& object, Setting& setting, Setting value) {
-  if (setting != value) {
-    setting = value;
-    object.solver.reset();
-  }
-}
-
 constexpr auto normal_text_keys = std::to_array<wrc::TextKey<NormalObject>>({
     {"solver",
      [](NormalObject& object, const char* key, const char* value) {
@@ -64,17 +56,13 @@ constexpr auto normal_text_keys = std::to_array<wrc::TextKey<NormalObject>>({
      }},
     {"precision",
      [](NormalObject& object, const char* key, const char* value) {
-       using wrc::Precision;
-       change(object, object.precision,
-              wrc::chosen<Precision>(
-                  key, value, {{"mixed", Precision::mixed}, {"double", Precision::double_only}}));
+       wrc::set_precision(object.options, key, value);
+       object.solver.reset();
      }},
     {"planner",
      [](NormalObject& object, const char* key, const char* value) {
-       using Rigor = wrc::PlannerRigor;
-       change(object, object.rigor,
-              wrc::chosen<Rigor>(key, value,
-                                 {{"estimate", Rigor::estimate}, {"measure", Rigor::measure}}));
+       wrc::set_planner(object.options, key, value);
+       object.solver.reset();
      }},
 });
 
@@ -253,7 +241,7 @@ wrc_status wrc_normal_solve(wrc_normal* normal) {
       result.solution = wrc::solve_with_polonsky_keer(result.problem);
     } else {
       if (!object.solver) {
-        object.solver.emplace(object.rigor, object.precision);
+        object.solver.emplace(object.options.planner, object.options.precision);
       }
       result.solution = object.solver->solve(result.problem);
       double& force = result.solution.patches.front().normal_force;

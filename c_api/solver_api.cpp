@@ -1,6 +1,15 @@
+#include <array>
 #include <optional>
 
 #include "batch.hpp"
+#include "grid_contact.hpp"
+
+namespace {
+
+constexpr auto solver_text_keys = std::to_array<wrc::TextKey<wrc::SolverOptions>>(
+    {{"planner", wrc::set_planner}, {"precision", wrc::set_precision}});
+
+} // namespace
 
 extern "C" {
 
@@ -14,6 +23,16 @@ void wrc_solver_destroy(wrc_solver* solver) {
 
 const char* wrc_solver_error(const wrc_solver* solver) {
   return wrc::error_of(solver);
+}
+
+wrc_status wrc_solver_set_text(wrc_solver* solver, const char* key, const char* value) {
+  return wrc::guard(solver, [&](wrc::SolverObject& object) {
+    wrc::require_pointer(key, "key");
+    wrc::require_pointer(value, "value");
+    wrc::entry_in(solver_text_keys, "text", "solver", key).set(object.options, key, value);
+    object.solver.set_options(object.options);
+    return WRC_OK;
+  });
 }
 
 wrc_status wrc_solver_solve(wrc_solver* solver, wrc_scene* scene) {

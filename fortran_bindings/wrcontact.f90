@@ -196,20 +196,20 @@ module wrcontact
     type(shared_handle), pointer :: shared => null()
   contains
     procedure :: create => solver_create
+    !> set(key, value): 'planner' or 'precision'; see wrc_solver_set_text in wrcontact.h.
+    procedure :: set => solver_set
     !> solve(scene): as scene%solve(), faster: it keeps profiles, tables and plans.
     procedure :: solve => solver_solve
     !> step(scene, q, v, f, stat, errmsg, dfdq, dfdv, rails, patches, patch_count, states,
-    !> rail_velocities, curvature, friction, dfdr, dfdrv, history, time_step): one evaluation of a
-    !> wheelset; positions q(6) and velocities v(6) in, forces f(6, 2) of the left and the right wheel
-    !> out; see wrc_solver_step_with in wrcontact.h.
+    !> rail_velocities, curvature, friction, dfdr, dfdrv, history, time_step): one evaluation; positions
+    !> q(6), velocities v(6) in, forces f(6, 2) of both wheels out; wrc_solver_step_with in wrcontact.h.
     procedure :: step => solver_step
     !> equilibrium(scene, kind, loads, q, f, v, ...): height and roll, q(3) and q(4), at which a
     !> wheelset carries loads(2); see wrc_solver_equilibrium in wrcontact.h. The others as in step.
     procedure :: equilibrium => solver_equilibrium
-    !> creep(scene, patch, creepages, forces, stat, errmsg, by_creepage): creep forces of a patch at
-    !> creepages of the program's own; see wrc_solver_creep in wrcontact.h.
+    !> creep(scene, patch, creepages, forces, stat, errmsg, by_creepage): wrc_solver_creep in wrcontact.h.
     procedure :: creep => solver_creep
-    !> Drops everything it keeps, so that profile files are read again.
+    !> Drops what it keeps but its options, so that profile files are read again.
     procedure :: clear => solver_clear
     generic :: assignment(=) => share
     procedure, private :: share => solver_share

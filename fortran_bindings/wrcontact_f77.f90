@@ -37,7 +37,8 @@
 !   WRCVER(TEXT)                           version of the library
 !
 !   WRCSET(HANDLE, KEY, VALUE, IERR)       number of a scene or contact
-!   WRCSTX(HANDLE, KEY, TEXT, IERR)        text of a scene or contact
+!   WRCSTX(HANDLE, KEY, TEXT, IERR)        text of a scene, contact or
+!                                          solver (its options)
 !   WRCSTN(SCENE, KEY, VALUES, N, IERR)    numbers
 !   WRCGET(SCENE, KEY, VALUE, IERR)        the number of a key
 !   WRCGTX(SCENE, KEY, TEXT, IERR)         the text of a key

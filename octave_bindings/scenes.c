@@ -100,6 +100,13 @@ void make_scenes(int count, const mxArray* const* values, struct options* option
         refuse(WRC_INVALID_ARGUMENT, "threads: must be a whole number from 1 to 1024");
       }
       options->threads = (int32_t)threads;
+    } else if (open_handles.solver != NULL &&
+               (strcmp(key, "planner") == 0 || strcmp(key, "precision") == 0)) {
+      const wrc_status status =
+          wrc_solver_set_text(open_handles.solver, key, text_of(values[k + 1], key));
+      if (status != WRC_OK) {
+        refuse(status, wrc_solver_error(open_handles.solver));
+      }
     } else {
       for (mwIndex i = 0; i < scene_count; ++i) {
         set_key(open_handles.scenes[i], key, values[k + 1]);

@@ -18,6 +18,7 @@ void release_handles(void) {
     wrc_scene_destroy(open_handles.scenes[i]);
   }
   free(open_handles.scenes);
+  wrc_solver_destroy(open_handles.solver);
   wrc_profile_destroy(open_handles.profile);
   wrc_normal_destroy(open_handles.normal);
   wrc_rolling_destroy(open_handles.rolling);
@@ -123,15 +124,19 @@ static struct wheelset** find_wheelset(int count, const mxArray* const* values) 
 
 static void open_wheelset(mxArray** result, int count, const mxArray* const* values) {
   struct options options = {NULL, 1};
-  make_scenes(count, values, &options);
-  struct wheelset* wheelset = calloc(1, sizeof *wheelset);
-  if (open_handles.scene_count != 1 || wheelset == NULL ||
-      wrc_solver_create(&wheelset->solver) != WRC_OK) {
-    const int out_of_memory = open_handles.scene_count == 1;
-    free(wheelset);
-    refuse(out_of_memory ? WRC_OUT_OF_MEMORY : WRC_INVALID_ARGUMENT,
-           out_of_memory ? "out of memory" : "scene: must be one scene for each wheelset");
+  if (wrc_solver_create(&open_handles.solver) != WRC_OK) {
+    refuse(WRC_OUT_OF_MEMORY, "out of memory");
   }
+  make_scenes(count, values, &options);
+  if (open_handles.scene_count != 1) {
+    refuse(WRC_INVALID_ARGUMENT, "scene: must be one scene for each wheelset");
+  }
+  struct wheelset* wheelset = calloc(1, sizeof *wheelset);
+  if (wheelset == NULL) {
+    refuse(WRC_OUT_OF_MEMORY, "out of memory");
+  }
+  wheelset->solver = open_handles.solver;
+  open_handles.solver = NULL;
   wheelset->scene = open_handles.scenes[0];
   last_number = last_number > 0.0 ? last_number + 1.0 : 1e3 * (double)time(NULL);
   wheelset->number = last_number;

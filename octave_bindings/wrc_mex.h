@@ -13,6 +13,7 @@
 struct open_handles {
   wrc_scene** scenes;
   mwSize scene_count;
+  wrc_solver* solver; /* its options are arguments beside the scene's keys */
   wrc_profile* profile;
   wrc_normal* normal;
   wrc_rolling* rolling;

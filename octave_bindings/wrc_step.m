@@ -1,7 +1,10 @@
 function varargout = wrc_step (varargin)
 % WRC_STEP  One evaluation of a wheelset in a vehicle simulation.
 %
-%   w = wrc_step ('open', key, value, ...)        a wheelset; arguments as for wrc_solve
+%   w = wrc_step ('open', key, value, ...)        a wheelset; arguments as for wrc_solve, and
+%                                                 'planner' ('estimate' or 'measure': FFTW times
+%                                                 its algorithms) and 'precision' ('mixed' or
+%                                                 'double') of its solver
 %   force = wrc_step (w, position, velocity)
 %   [force, state, by_position, by_velocity] = wrc_step (w, position, velocity, rails)
 %   r = wrc_step ('results', w)                   all results of the last step, as from wrc_solve

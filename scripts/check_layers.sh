@@ -58,7 +58,7 @@ room table base geometry rolling records results keys scene
 check c_api 'base/|profile/|measured/|half_space/|pressure/|mechanics/|rolling/|results/|keys/|scene/|table/|(batch|handles|handle_table|grid_contact|floating_point)\.hpp|wrcontact(_grid|_table)?\.h'
 check octave_bindings 'wrc_mex\.h'
 # Evidence about the core sees the core, and draws its cases as the tests of the core do.
-check drivers/evidence/core 'arguments\.hpp|base/|profile/|measured/|damage/|mechanics/|rolling/|results/|derivatives/|scene/|core/|reports/conicity\.hpp|support/(conformal_disc|energy_pairs|no_slip_samples|patch_problem|random_wheels|state_differences)\.hpp'
+check drivers/evidence/core 'arguments\.hpp|base/|profile/|measured/|damage/|mechanics/|rolling/|results/|derivatives/|keys/|scene/|core/|reports/conicity\.hpp|support/(conformal_disc|energy_pairs|no_slip_samples|patch_problem|random_wheels|state_differences|toml)\.hpp'
 check 'drivers :!drivers/evidence/core' 'reports/|support/|wrc_[a-z]+/|benchmark_commit\.hpp|wrcontact\.h'
 check tests/c_api 'extent\.hpp|call_arguments\.hpp|call_sequences\.hpp|all_results\.hpp|owned_handles\.hpp|failing_allocator\.hpp|host_transform\.hpp|wrcontact\.h'
 check tests/fuzz 'base/error\.hpp|measured/(readers|slices)\.hpp|scene/(solve_scene|vehicle_step)\.hpp|table/table_(file|step|text)\.hpp|call_sequences\.hpp|support/|wrcontact\.h'

@@ -223,12 +223,19 @@ WRC_API void wrc_solver_destroy(wrc_solver* solver);
 WRC_API const char* wrc_solver_error(const wrc_solver* solver);
 
 /**
- * Same as wrc_scene_solve, to the last bit, whatever was solved before, but faster. The scene's
- * handle holds the results and the error text. Use the same scene repeatedly and change its pose.
- * Since 0.1; the same bits since 0.3.
+ * Same as wrc_scene_solve, to the last bit by default, whatever was solved before, but faster. The
+ * scene's handle holds the results and the error text. Use the same scene repeatedly and change its
+ * pose. Since 0.1; the same bits since 0.3.
  */
 WRC_API wrc_status wrc_solver_solve(wrc_solver* solver, wrc_scene* scene);
-/** Drops everything the solver keeps, so that profile files are read again. Since 0.3. */
+/**
+ * Options of the solver; no result changes by more than its tolerance. From the next solution on:
+ *   "planner"    "estimate", or "measure": FFTW times its algorithms once for each size
+ *   "precision"  "mixed", or "double": of the iteration for pressures
+ * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.4.
+ */
+WRC_API wrc_status wrc_solver_set_text(wrc_solver* solver, const char* key, const char* value);
+/** Drops what the solver keeps but its options, so that profile files are read again. Since 0.3. */
 WRC_API wrc_status wrc_solver_clear(wrc_solver* solver);
 
 /**

@@ -405,9 +405,12 @@ class Solver
 public:
   /// False if the iteration has not converged; failures are those of the scene.
   bool solve(Scene& scene) { return scene.converged(wrc_solver_solve(handle(), scene.handle())); }
+  /// "planner" or "precision" (wrc_solver_set_text). Since 0.4.
+  void set(const std::string& key, const std::string& value) {
+    check(wrc_solver_set_text(handle(), key.c_str(), value.c_str()));
+  }
   void clear() { check(wrc_solver_clear(handle())); }
-  /// A step of a wheelset; false if the iteration has not converged. `rails`: as in the scene if
-  /// null. Since 0.3.
+  /// A step; false if it has not converged. `rails`: as in the scene if null. Since 0.3.
   bool step(Scene& scene, const std::array<double, 6>& position,
             const std::array<double, 6>& velocity, Step& result, bool derivatives = false,
             const std::array<double, 6>* rails = nullptr) {

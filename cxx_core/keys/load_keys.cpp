@@ -24,7 +24,7 @@ std::vector<Key> make_load_keys() {
            "what carries the load; pressures: their vertical force, to which creep forces on an "
            "inclined plane add; total: the vertical force of all contact forces, creep forces "
            "included; normal: the force of the pressures in the direction of that on the patch of "
-           "first touch, with solve.gap = \"vertical\" along the gap (as in the paper)"},
+           "first touch, with solve.method = \"paper\" along the gap"},
           {{"pressures", LoadOf::pressures}, {"total", LoadOf::total}, {"normal", LoadOf::normal}},
           &Scene::load_of),
   };

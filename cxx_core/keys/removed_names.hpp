@@ -37,6 +37,19 @@ inline constexpr std::array removed_names{
     RemovedName{NameOf::key, "track.superelevation",
                 "gravity and cant deficiency belong to the vehicle's loads: use load.left and "
                 "load.right"},
+    RemovedName{NameOf::key, "solve.slip", "slip is taken at each element"},
+    RemovedName{NameOf::key, "solve.slip_surface", "slip is taken on the surface of the wheel"},
+    RemovedName{NameOf::key, "solve.gap", "use solve.method = \"paper\" for vertical gaps"},
+    RemovedName{NameOf::key, "solve.solver", "use solve.method = \"paper\" for the paper's solver"},
+    RemovedName{NameOf::key, "solve.elements",
+                "use solve.method = \"paper\" for elements of constant pressure"},
+    RemovedName{NameOf::key, "solve.interaction", "all patches of a wheel displace each other"},
+    RemovedName{
+        NameOf::key, "solve.planner",
+        "it is an option of a solver: wrc_solver_set_text(solver, \"planner\", \"measure\")"},
+    RemovedName{
+        NameOf::key, "solve.precision",
+        "it is an option of a solver: wrc_solver_set_text(solver, \"precision\", \"double\")"},
     // The first of two numbers was the lateral one in grids, the longitudinal one in axes and
     // radii.
     RemovedName{NameOf::result, "grid.0", "grid.lateral"},

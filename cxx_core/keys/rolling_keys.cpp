@@ -372,21 +372,6 @@ std::vector<Key> make_rolling_keys() {
                   "speed of about 0.003 V0"},
                  {1e-3, 1e5}, speed, &Scene::standstill_speed),
       creep_key(),
-      word_key<SlipVariation>(
-          {"solve.slip", "\"by-element\"", "\"by-element\", \"plane-axes\" or \"planar\"",
-           "slip: by-element from a motion along the tangent of each element, and "
-           "what pressures add where rows are inclined to each other; plane-axes "
-           "from a motion for each element along the axes of the patch's plane; "
-           "planar from three creepages at the patch's reference"},
-          {{"by-element", SlipVariation::by_element},
-           {"plane-axes", SlipVariation::plane_axes},
-           {"planar", SlipVariation::planar}},
-          &Scene::slip),
-      word_key<SlipSurface>({"solve.slip_surface", "\"wheel\"", "\"wheel\" or \"mean\"",
-                             "surface whose height determines the slip of each element: that of "
-                             "the undeformed wheel, or the mean of wheel and rail"},
-                            {{"wheel", SlipSurface::wheel}, {"mean", SlipSurface::mean}},
-                            &Scene::slip_surface),
       word_key<bool>(
           {"solve.derivatives", "\"no\"", "\"no\" or \"yes\"",
            "whether to compute derivatives of creep forces and the Jacobian of all contact forces"},

@@ -41,11 +41,6 @@ enum class ModelRequest { automatic, half_space, hertz, kik_piotrowski };
 /// origin: bound: full sliding in every case.
 inline constexpr double max_creepage = 10.0;
 
-/// As keys and results call it.
-constexpr std::string_view name_of(SolverChoice solver) {
-  return solver == SolverChoice::paper ? "paper" : "default";
-}
-
 struct ProfileChoice {
   std::string name; ///< of a built-in profile, or a file
   /// Used instead of one of that name if given, which is then its name.
@@ -110,8 +105,7 @@ struct Scene : WheelOptions {
   bool pitch_is_free = false; ///< of the motion: such that contact forces hold the torque
   double torque = 0.0;        ///< about the axle, N mm, > 0 drives forwards
   bool derivatives = false;   ///< of creep forces, whether they are kept for a Jacobian
-  SlipVariation slip = SlipVariation::by_element; ///< of creep forces from a motion
-  SlipSurface slip_surface = SlipSurface::wheel;
+  SlipChoice slip;            ///< of creep forces from a motion; no key has it
   /// A step of time of creep forces from the motion, s, and what it starts from; 0: steady rolling.
   double time_step = 0.0;
   std::shared_ptr<const ContactHistory> history;
@@ -119,9 +113,6 @@ struct Scene : WheelOptions {
 
   SideChoice side = SideChoice::both;
   ModelRequest model = ModelRequest::automatic;
-  std::optional<Elements> elements; ///< smooth, but constant with the paper's solver, if not set
-  PlannerRigor planner = PlannerRigor::estimate;
-  Precision precision = Precision::mixed;
   double near_tolerance = 0.1; ///< contacts listed as near: distance at first touch, mm
   int threads = 1;
 
@@ -134,6 +125,12 @@ struct Scene : WheelOptions {
   [[nodiscard]] bool has_creepages() const { return left.creepages || right.creepages; }
   /// Over which the axle's speed is that of rolling, mm.
   [[nodiscard]] double nominal_radius() const { return 0.5 * (left.radius + right.radius); }
+};
+
+/// What a solver of scenes does its work with: no result changes by more than its tolerance.
+struct SolverOptions {
+  PlannerRigor planner = PlannerRigor::estimate;
+  Precision precision = Precision::mixed; ///< of the iteration for pressures
 };
 
 /// Whether a profile is that of a slices file.

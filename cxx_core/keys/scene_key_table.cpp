@@ -130,6 +130,25 @@ Key grid_key() {
   return key;
 }
 
+/// As the paper does all three.
+Key method_key() {
+  Key key = word_key<SolverChoice>(
+      {"solve.method", "\"auto\"", "\"auto\" or \"paper\"",
+       "method of the half-space; paper, for comparison: gaps in the vertical direction, elements "
+       "of constant pressure, and the iteration of Polonsky & Keer 1999 in double precision"},
+      {{"auto", SolverChoice::standard}, {"paper", SolverChoice::paper}}, &Scene::solver);
+  key.set_text = [set = key.set_text](Scene& scene, std::string_view value) {
+    if (!set(scene, value)) {
+      return false;
+    }
+    const bool paper = scene.solver == SolverChoice::paper;
+    scene.gap = paper ? GapConvention::vertical : GapConvention::tangent;
+    scene.elements = paper ? Elements::constant : Elements::smooth;
+    return true;
+  };
+  return key;
+}
+
 std::vector<Key> method_keys() {
   std::vector<Key> keys;
   keys.push_back(word_key<SideChoice>(
@@ -144,10 +163,7 @@ std::vector<Key> method_keys() {
        {"remesh", Module::remesh},
        {"mechanics", Module::mechanics}},
       &Scene::until));
-  keys.push_back(word_key<GapConvention>(
-      {"solve.gap", "\"tangent\"", "\"tangent\" or \"vertical\"",
-       "direction in which the gap is measured; vertical as in the paper"},
-      {{"tangent", GapConvention::tangent}, {"vertical", GapConvention::vertical}}, &Scene::gap));
+  keys.push_back(method_key());
   keys.push_back(word_key<CurvedChoice>(
       {"solve.curved", "\"no\"", "\"no\", \"yes\" or \"auto\"",
        "whether contacts of the half-space are solved along the mean curve of wheel and rail "
@@ -162,18 +178,6 @@ std::vector<Key> method_keys() {
        {"hertz", ModelRequest::hertz},
        {"kik-piotrowski", ModelRequest::kik_piotrowski}},
       &Scene::model));
-  keys.push_back(word_key<SolverChoice>(
-      {"solve.solver", "\"default\"", "\"default\" or \"paper\"",
-       "solver of the half-space; paper is Polonsky & Keer 1999, for comparison"},
-      {{name_of(SolverChoice::standard), SolverChoice::standard},
-       {name_of(SolverChoice::paper), SolverChoice::paper}},
-      &Scene::solver));
-  keys.push_back(word_key<std::optional<Elements>>(
-      {"solve.elements", "\"auto\"", "\"auto\", \"smooth\" or \"constant\"",
-       "pressure on an element: smooth through the values at the centres, which is more accurate; "
-       "or constant on each, as in other programs; auto: smooth, with solver paper constant"},
-      {{"auto", std::nullopt}, {"smooth", Elements::smooth}, {"constant", Elements::constant}},
-      &Scene::elements));
   return keys;
 }
 
@@ -194,11 +198,12 @@ std::vector<Key> accuracy_keys() {
   };
   keys.push_back(accuracy);
   keys.push_back(grid_key());
-  keys.push_back(number_key({"solve.tolerance", "1e-5", "1e-13 to 0.1",
-                             "tolerance of the iteration on a given solve.grid: largest error of a "
-                             "pressure relative to the maximum pressure (solver paper: of a gap); "
-                             "without solve.grid it follows from the accuracy"},
-                            {1e-13, 0.1}, pure, &Scene::tolerance));
+  keys.push_back(number_key(
+      {"solve.tolerance", "1e-5", "1e-13 to 0.1",
+       "tolerance of the iteration on a given solve.grid: largest error of a "
+       "pressure relative to the maximum pressure (with solve.method = \"paper\" of a gap); "
+       "without solve.grid it follows from the accuracy"},
+      {1e-13, 0.1}, pure, &Scene::tolerance));
   Key limit = optional_key(
       {"solve.element_limit", "\"auto\"", "\"auto\" or a whole number, 1000 to 67108864",
        "largest number of elements that an accuracy may use for all patches of a "
@@ -213,19 +218,6 @@ std::vector<Key> accuracy_keys() {
 
 std::vector<Key> solution_keys() {
   std::vector<Key> keys;
-  keys.push_back(word_key<Precision>(
-      {"solve.precision", "\"mixed\"", "\"mixed\" or \"double\"",
-       "precision of the iteration; mixed is faster and meets the same tolerance"},
-      {{"mixed", Precision::mixed}, {"double", Precision::double_only}}, &Scene::precision));
-  keys.push_back(word_key<PlannerRigor>(
-      {"solve.planner", "\"estimate\"", "\"estimate\" or \"measure\"",
-       "how FFTW chooses its algorithms: by rule, or by timing them once"},
-      {{"estimate", PlannerRigor::estimate}, {"measure", PlannerRigor::measure}}, &Scene::planner));
-  keys.push_back(word_key<Interaction>(
-      {"solve.interaction", "\"all\"", "\"all\" or \"near\"",
-       "which patches of a wheel displace each other: all, in proportion to the cosine between "
-       "their planes, or those close to each other, as in CONTACT"},
-      {{"all", Interaction::all}, {"near", Interaction::near}}, &Scene::interaction));
   keys.push_back(
       number_key({"solve.joining_distance", "4", "0 to 100 mm",
                   "penetrations closer than twice this distance share a plane and count as one "

@@ -16,6 +16,7 @@
 
 namespace wrc {
 
+/// Of the pressures: the library's, or that of Polonsky & Keer (1999).
 enum class SolverChoice { standard, paper };
 
 /// Which contacts follow the mean curve of both bodies: none, all, or those where the error of a
@@ -31,6 +32,7 @@ struct WheelOptions : PatchOptions {
   std::optional<std::array<std::size_t, 2>> grid; ///< [lateral, longitudinal], instead of accuracy
   double tolerance = 1e-5;                        ///< of the pressures, relative; with a grid given
   SolverChoice solver = SolverChoice::standard;
+  Elements elements = Elements::smooth;
   CurvedChoice curved = CurvedChoice::no;
   /// Limit of the grids of a wheel that follow from the accuracy, together; another limit of the
   /// same size for creep forces. By the accuracy if not set.
@@ -47,7 +49,6 @@ struct WheelRequest : WheelOptions {
   std::optional<double> vertical_load; ///< N
   std::optional<double> normal_load;   ///< N, along the normal of the main patch
   std::optional<double> vertical;      ///< height of the wheelset's centre, mm
-  Elements elements = Elements::smooth;
   int maximum_iterations = 5000;
   bool creep_forces = false; ///< whether pressures are also used for creep forces
   bool stresses = false;     ///< likewise the largest stress below them

@@ -84,6 +84,7 @@ Scene scene_with(const NoisyScene& noisy, const Line& line) {
   scene.grid.reset();
   scene.tolerance = Scene().tolerance;
   scene.solver = SolverChoice::standard;
+  scene.elements = Elements::smooth;
   scene.derivatives = false;
   scene.damage = {};
   if (scene.load_of != LoadOf::total) {

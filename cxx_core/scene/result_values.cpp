@@ -285,7 +285,7 @@ std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& 
                                                              const Convention& convention) {
   std::vector<std::pair<std::string, std::string>> texts;
   texts.emplace_back("model", result.model);
-  texts.emplace_back("solver", name_of(result.solver));
+  texts.emplace_back("solver", result.solver == SolverChoice::paper ? "paper" : "default");
   texts.emplace_back("units", name_of(convention.units));
   texts.emplace_back("frame", name_of(convention.frame));
   for (std::size_t i = 0; i < result.corrections.size(); ++i) {

@@ -44,8 +44,6 @@ WheelRequest request_of(const Scene& scene, double load) {
   request.creep_forces = (scene.has_creepages() || scene.motion) &&
                          scene.creep.value_or(CreepModel::full) == CreepModel::full;
   request.stresses = scene.damage.stress;
-  request.elements = scene.elements.value_or(
-      scene.solver == SolverChoice::paper ? Elements::constant : Elements::smooth);
   return request;
 }
 
@@ -69,7 +67,7 @@ CreepRequest creep_options_of(const Scene& scene, const SceneSide& side) {
   request.element_limit = scene.most_elements();
   request.pitch_is_free = scene.motion.has_value() && scene.pitch_is_free;
   request.derivatives = scene.derivatives;
-  request.slip = {scene.slip, scene.slip_surface};
+  request.slip = scene.slip;
   request.material = shear_constants_of(scene, side);
   request.combined_modulus = combined_modulus(scene.wheel_material, scene.rail_material);
   return request;
@@ -302,10 +300,9 @@ struct SceneSolver::State {
   std::optional<NormalSolver> left;
   std::optional<NormalSolver> right;
   std::optional<RollingSolver> rolling;
-  PlannerRigor planner = PlannerRigor::estimate; ///< of the solvers
-  Precision precision = Precision::mixed;
+  SolverOptions options;
 
-  void prepare_solvers(const Scene& scene);
+  void prepare_solvers();
   void solve_wheels(const Scene& scene, const SceneSurfaces& surfaces, const ModelChoice& model,
                     const WheelsetEquilibrium& equilibrium, const WheelLoads& loads,
                     SceneResult& result);
@@ -315,20 +312,15 @@ struct SceneSolver::State {
   SceneResult solve(const Scene& scene);
 };
 
-void SceneSolver::State::prepare_solvers(const Scene& scene) {
-  const bool others = planner != scene.planner || precision != scene.precision;
-  LinePlans* plans =
-      scene.planner == PlannerRigor::measure ? &shared->measured : &shared->estimated;
-  for (std::optional<NormalSolver>* solver : {&left, &right}) {
-    if (others || !*solver) {
-      solver->emplace(std::shared_ptr<LinePlans>(shared, plans), scene.precision);
-    }
+void SceneSolver::State::prepare_solvers() {
+  if (rolling) {
+    return;
   }
-  if (others || !rolling) {
-    rolling.emplace(std::shared_ptr<LinePlans>(shared, plans));
-  }
-  planner = scene.planner;
-  precision = scene.precision;
+  const std::shared_ptr<LinePlans> plans(
+      shared, options.planner == PlannerRigor::measure ? &shared->measured : &shared->estimated);
+  left.emplace(plans, options.precision);
+  right.emplace(plans, options.precision);
+  rolling.emplace(plans);
 }
 
 /// Normal contact of those wheels whose load is new: the right one on a thread of its own, if there
@@ -425,7 +417,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   SceneResult result;
   const ModelChoice model = choose_model(scene);
   const SceneSurfaces surfaces = shared->surfaces->get(scene);
-  prepare_solvers(scene);
+  prepare_solvers();
   result.key_warnings = KeyWarnings(scene);
   result.corrections = surfaces.corrections;
   result.profile_warnings = surfaces.warnings;
@@ -476,23 +468,33 @@ CreepResult SceneSolver::solve_creep(const Scene& scene, const WheelResult& whee
   request.creepages = creepages;
   request.speed = scene.motion ? std::abs(scene.motion->speed) : 0.0;
   request.derivatives = derivatives;
-  state_->prepare_solvers(scene);
+  state_->prepare_solvers();
   std::vector<CreepResult> parts;
   return creep_of_patch(wheel, patch, request, *state_->rolling, parts);
 }
 
+void SceneSolver::set_options(const SolverOptions& options) {
+  state_->options = options;
+  state_->rolling.reset(); // and with it the others
+}
+
 void SceneSolver::forget() {
-  *this = SceneSolver();
+  SceneSolver fresh;
+  fresh.set_options(state_->options);
+  *this = std::move(fresh);
 }
 
 SceneSolver SceneSolver::beside() const {
   SceneSolver other;
+  other.set_options(state_->options);
   other.state_->shared = state_->shared;
   return other;
 }
 
-SceneResult solve_scene(const Scene& scene) {
-  return SceneSolver().solve(scene);
+SceneResult solve_scene(const Scene& scene, const SolverOptions& options) {
+  SceneSolver solver;
+  solver.set_options(options);
+  return solver.solve(scene);
 }
 
 } // namespace wrc

@@ -27,7 +27,7 @@ namespace wrc {
 ShearConstants shear_constants_of(const Scene& scene, const SceneSide& side);
 
 /// A scene by itself: a pure function.
-SceneResult solve_scene(const Scene& scene);
+SceneResult solve_scene(const Scene& scene, const SolverOptions& options = {});
 
 class SurfaceCache; // scene/surface_cache.hpp
 
@@ -44,16 +44,18 @@ public:
   SceneSolver(SceneSolver&&) noexcept;
   SceneSolver& operator=(SceneSolver&&) noexcept;
 
-  /// Bit for bit the result of solve_scene, whatever was solved before.
+  /// Bit for bit the result of solve_scene with its options, whatever was solved before.
   SceneResult solve(const Scene& scene);
   /// Creep forces of a patch of a result of this scene at other creepages, those at the patch's
   /// reference in the track frame.
   CreepResult solve_creep(const Scene& scene, const WheelResult& wheel, const PatchResult& patch,
                           const Creepages& creepages, bool derivatives);
-  /// Drops everything that is kept.
+  /// From the next solution on.
+  void set_options(const SolverOptions& options);
+  /// Drops everything that is kept; options stay.
   void forget();
-  /// Another one, for another thread: both share profiles, influence coefficients and plans, and
-  /// either may be used, cleared or destroyed at any time.
+  /// Another one, for another thread: both share profiles, influence coefficients and plans; the
+  /// options are copied, and either may be used, cleared or destroyed at any time.
   [[nodiscard]] SceneSolver beside() const;
 
 private:

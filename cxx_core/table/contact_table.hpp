@@ -61,8 +61,8 @@ static_assert(table_part_count == static_cast<std::size_t>(TablePart::none) + 1)
 struct TableIdentity {
   std::string wheel, rail; ///< names of the profiles
   /// Radius, back to back, taping line, gauge, its height, inclination, E and nu of wheel and rail,
-  /// and how patches are found: interaction, gap, joining distance (identity_keys).
-  std::array<double, 13> numbers{};
+  /// the method, and the joining distance of patches (identity_keys).
+  std::array<double, 12> numbers{};
   std::uint64_t profiles = 0; ///< checksum of the curves
   bool operator==(const TableIdentity&) const = default;
 };
@@ -72,7 +72,7 @@ struct IdentityKey {
   const char* name;
   Dimension dimension;
 };
-inline constexpr std::array<IdentityKey, 13> identity_keys{
+inline constexpr std::array<IdentityKey, 12> identity_keys{
     {{"wheelset.radius", dimensions::length},
      {"wheelset.back_to_back", dimensions::length},
      {"wheelset.tape_offset", dimensions::length},
@@ -83,8 +83,7 @@ inline constexpr std::array<IdentityKey, 13> identity_keys{
      {"material.wheel.poisson", dimensions::pure},
      {"material.rail.youngs_modulus", dimensions::stress},
      {"material.rail.poisson", dimensions::pure},
-     {"solve.interaction", dimensions::pure},
-     {"solve.gap", dimensions::pure},
+     {"solve.method", dimensions::pure},
      {"solve.joining_distance", dimensions::length}}};
 
 /// How far a table reaches: from minus each to each, and loads up to the largest.

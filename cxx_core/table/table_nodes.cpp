@@ -114,8 +114,7 @@ TableIdentity identity_of_table(const Scene& scene) {
                       scene.wheel_material.poisson,
                       scene.rail_material.youngs_modulus,
                       scene.rail_material.poisson,
-                      static_cast<double>(scene.interaction),
-                      static_cast<double>(scene.gap),
+                      static_cast<double>(scene.solver),
                       scene.joining_distance};
   return identity;
 }

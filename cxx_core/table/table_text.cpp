@@ -10,11 +10,8 @@ namespace wrc {
 std::string text_of_key(const TableIdentity& identity, std::size_t key, Units units) {
   const std::string_view name = identity_keys[key].name;
   const double number = identity.numbers[key];
-  if (name == "solve.interaction") {
-    return number == static_cast<double>(Interaction::all) ? "all" : "near";
-  }
-  if (name == "solve.gap") {
-    return number == static_cast<double>(GapConvention::tangent) ? "tangent" : "vertical";
+  if (name == "solve.method") {
+    return number == static_cast<double>(SolverChoice::standard) ? "auto" : "paper";
   }
   return amount_text(number, units, identity_keys[key].dimension);
 }

@@ -277,8 +277,8 @@ WheelSolution solve_wheel_approximately(const WheelSurface& wheel, const RailSur
                                         const WheelRequest& request, ApproximateModel model) {
   if (request.gap == GapConvention::vertical) {
     throw_invalid_argument(
-        "solve.gap", "\"vertical\"",
-        "must be \"tangent\" with this model; solve.model = \"half-space\" has both");
+        "solve.method", "\"paper\"",
+        "must be \"auto\" with this model; solve.model = \"half-space\" has both");
   }
   return ApproximateWheel(wheel, rail, equilibrium, request, model).solve();
 }

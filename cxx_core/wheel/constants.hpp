@@ -75,7 +75,7 @@ inline constexpr double one_grid_distance = 20.0;
 
 /// Iterations times elements of one solution whose elements follow from the accuracy; a limit of
 /// elements above the default permits more in the same ratio.
-/// origin: bound: measured (bounded_scenes loaded, seed 22): 1.6e8 take solve.solver = "paper" 3.6
+/// origin: bound: measured (bounded_scenes loaded, seed 22): 1.6e8 take solve.method = "paper" 3.6
 /// s; the default solver ends after a hundredth of it.
 inline constexpr double most_work = 5e7;
 

@@ -419,7 +419,7 @@ WheelSolution WheelSolver::solve() {
   result_.vertical = equilibrium_.vertical;
   if (request_.curved == CurvedChoice::yes && request_.gap == GapConvention::vertical) {
     throw_invalid_argument("solve.curved", "\"yes\"",
-                           "must be \"no\" or \"auto\" with solve.gap = \"vertical\"");
+                           "must be \"no\" or \"auto\" with solve.method = \"paper\"");
   }
   if (request_.until == Module::geometry) {
     return std::move(result_);

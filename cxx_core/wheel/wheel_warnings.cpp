@@ -72,7 +72,7 @@ void warn_of_interaction(const WheelRequest& request, double error, WheelSolutio
   }
   const std::string cause =
       request.interaction == Interaction::near
-          ? "solve.interaction = \"near\" leaves out what patches displace at each other"
+          ? "what patches displace at each other is left out unless they are close"
           : "the patches lie in different planes, so their effect on each other is known in part";
   result.warnings.push_back({WarningClass::no_interaction,
                              cause + ": estimated error " + short_text_of(error),
@@ -97,11 +97,6 @@ void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
     warnings.push_back({WarningClass::not_converged,
                         "not converged: " + std::string(name_of(solution.stop_reason)) +
                             ", error of the pressures " + short_text_of(solution.pressure_error)});
-  }
-  if (request.solver == SolverChoice::paper && solution.patches.size() > 1) {
-    warnings.push_back({WarningClass::other_solver,
-                        "several patches: solved together by the default solver, "
-                        "since solver paper solves one patch only"});
   }
   if (errors.ridge > request.accuracy) {
     warnings.push_back(
@@ -137,7 +132,7 @@ void warn_of_patches(const WheelRequest& request, WheelSolution& result) {
         warn(WarningClass::vertical_angle,
              "vertical distances at a contact angle of " +
                  short_text_of(patch.penetration.angle_unturned) + " rad (valid up to " +
-                 text_of(vertical_convention_limit) + "): use solve.gap = \"tangent\"");
+                 text_of(vertical_convention_limit) + "): use solve.method = \"auto\"");
       }
     } else if (patch.plane_error > request.accuracy) {
       const bool has_kink = patch.ridge > patch.turn.range();

@@ -43,7 +43,7 @@ contains
 
     call scene%create()
     call scene%set('solve.side', 'left')
-    call scene%set('solve.gap', 'vertical')
+    call scene%set('solve.method', 'paper')
     call scene%set('solve.grid', [lateral_count, longitudinal_count])
     call scene%set('load.both', load)
     call scene%set('load.of', 'normal')
@@ -67,6 +67,7 @@ contains
     call normal%set_grid(lateral_count, longitudinal_count, scene%number('left.element_size.lateral'), &
       scene%number('left.element_size.longitudinal'))
     call normal%set_distance(distance)
+    call normal%set('solver', 'paper')
     call normal%set('normal_load', load)
     call normal%solve()
     found%pmax = normal%number('pmax')

@@ -96,7 +96,7 @@ Row run(const Motion& motion, const std::string& method, double accuracy,
   driver::Scene scene;
   driver::Solver solver;
   scene.set("solve.accuracy", accuracy);
-  scene.set("solve.solver", method);
+  scene.set("solve.method", method == "paper" ? "paper" : "auto");
   set_pose(scene, motion.poses.front());
   solver.solve(scene);
   std::vector<Times> times;
@@ -133,7 +133,9 @@ Row run(const Motion& motion, const std::string& method, double accuracy,
   row.percentile_90_ms = quantile(totals(times), 0.9);
   row.worst_ms = quantile(totals(times), 1.0);
   row.repeats = static_cast<int>(times.size());
-  row.error_pmax = error;
+  if (method != "paper") { // whose gaps are vertical: another problem
+    row.error_pmax = error;
+  }
   return row;
 }
 

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._handle import Handle
+from ._handle import Handle, encoded
 from ._interface import ffi
 from ._library import Array, doubles, lib, pointer
 from ._warnings import Graded, graded_warnings_of, warn_of_many
@@ -109,17 +109,29 @@ class _Arguments:
 class Solver(Handle):
     """Keeps profiles, tables, plans and memory between solutions; changes no bit of a result.
 
-    One for each wheelset of a vehicle simulation; it serves one thread at a time.
+    One for each wheelset of a vehicle simulation; it serves one thread at a time. Options change no
+    result by more than its tolerance: planner, "estimate" or "measure" (FFTW times its algorithms
+    once for each size); precision of the iteration, "mixed" or "double". UnknownName, InvalidArgument.
     """
 
     _kind = "solver"
+
+    def __init__(self, **options: str) -> None:
+        super().__init__()
+        self.set(**options)
+
+    def set(self, **options: str) -> Solver:
+        """Sets options by name, from the next solution on, and returns the solver."""
+        for key, value in options.items():
+            self._check(lib.wrc_solver_set_text(self._handle, encoded(key), encoded(value)))
+        return self
 
     def solve(self, scene: Scene) -> Result:
         """As Scene.solve, bit for bit, in less time after the first."""
         return scene._solved(lib.wrc_solver_solve(self._handle, scene._handle))
 
     def clear(self) -> None:
-        """Drops everything it keeps, so that profile files are read again."""
+        """Drops what it keeps but its options, so that profile files are read again."""
         self._check(lib.wrc_solver_clear(self._handle))
 
     def step(self, scene: Scene, position: ArrayLike, velocity: ArrayLike, *,

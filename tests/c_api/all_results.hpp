@@ -96,8 +96,7 @@ inline ScenePointer make_varied_scene(int index) {
           {"pose.yaw", 1e-3 * (index % 4)},
           {"load.both", 20e3 * (1 + index % 5)},
           {"solve.accuracy", 1e-2},
-          {"solve.threads", index % 8 == 0 ? 2.0 : 1.0},
-          {"solve.precision", index % 4 == 3 ? "double" : "mixed"}});
+          {"solve.threads", index % 8 == 0 ? 2.0 : 1.0}});
   if (index % 2 == 1) {
     const std::array grid{20.0 + index % 7, 30.0 - index % 5};
     EXPECT_EQ(wrc_scene_set_numbers(s, "solve.grid", grid.data(), 2), WRC_OK);

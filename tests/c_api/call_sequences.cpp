@@ -152,7 +152,7 @@ wrc_status call_by_id() {
 wrc_status call_solver() {
   wrc_solver* solver = solvers.any();
   wrc_scene* scene = scenes.any();
-  switch (below(6)) {
+  switch (below(7)) {
   case 0:
     solvers.make();
     return WRC_OK;
@@ -166,6 +166,9 @@ wrc_status call_solver() {
     return wrc_solver_clear(solver);
   case 4:
     return wrc_solver_error(solver) != nullptr ? WRC_OK : -1;
+  case 5: // not "planner", which no text is: plans by trial take seconds each
+    return wrc_solver_set_text(solver, below(2) == 0 ? "precision" : any_text(),
+                               below(2) == 0 ? "double" : any_text());
   default: {
     wrc_scene* batch[3] = {scene, scenes.any(), scenes.any()};
     for (wrc_scene* each : batch) {

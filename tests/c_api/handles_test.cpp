@@ -114,11 +114,12 @@ TEST(Status, AnExceptionOfTheCallersOwnCodeIsAnInternalFault) {
     }
   };
   const ScenePointer scene = make_small_scene();
-  set(scene.get(), {{"solve.planner", "measure"}}); // plans while it solves
+  const SolverPointer solver = make_solver();
+  ASSERT_EQ(wrc_solver_set_text(solver.get(), "planner", "measure"), WRC_OK); // while it solves
   ASSERT_EQ(wrc_set_planner_lock(
                 lock, [](void*) {}, &throws),
             WRC_OK);
-  EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_INTERNAL);
+  EXPECT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_INTERNAL);
   EXPECT_STREQ(wrc_scene_error(scene.get()), "a lock that throws");
   throws = false;
   solve(scene.get());

@@ -250,21 +250,16 @@ TEST(PartsOfAPatch, ExistOnlyWithAJoiningDistance) {
               rounding);
   EXPECT_GT(std::abs(number_of(s, "right.patches.1.angle") - number_of(s, "right.patches.0.angle")),
             0.1);
-  solve(s, {{"solve.interaction", "near"}});
-  EXPECT_EQ(number_of(s, "right.patches.1.coupling_weight"), 0.0);
 }
 
 TEST(Patches, ResidualsIncludeDisplacementsByOtherPatches) {
   // Nodes of the interaction differ from those of the solution.
   constexpr double interpolation = 5e-3;
-  for (const char* interaction : {"near", "all"}) {
-    const ScenePointer scene = solve_two_patches();
-    wrc_scene* s = scene.get();
-    solve(s, {{"solve.interaction", interaction}});
-    EXPECT_LT(number_of(s, "left.residuals.complementarity"), interpolation) << interaction;
-    EXPECT_GT(number_of(s, "left.residuals.least_gap"), -interpolation) << interaction;
-    EXPECT_LT(number_of(s, "left.residuals.load_balance"), rounding) << interaction;
-  }
+  const ScenePointer scene = solve_two_patches();
+  wrc_scene* s = scene.get();
+  EXPECT_LT(number_of(s, "left.residuals.complementarity"), interpolation);
+  EXPECT_GT(number_of(s, "left.residuals.least_gap"), -interpolation);
+  EXPECT_LT(number_of(s, "left.residuals.load_balance"), rounding);
 }
 
 TEST(Patches, AnUnknownIndexIsReportedWithItsName) {

@@ -215,7 +215,7 @@ TEST_F(Solving, NotConvergedComesWithUsableResults) {
   const double grid[] = {256.0, 128.0};
   for (wrc_scene* s : {converged.get(), scene.get()}) {
     ASSERT_EQ(wrc_scene_set_numbers(s, "solve.grid", grid, 2), WRC_OK);
-    set(s, {{"solve.solver", "paper"}});
+    set(s, {{"solve.method", "paper"}});
   }
   set(converged.get(), {{"solve.tolerance", 1e-10}});
   set(scene.get(), {{"solve.tolerance", 1e-13}});

@@ -101,7 +101,7 @@ TEST(SceneKeys, AllHaveNameDefaultAllowedAndMeaning) {
                 "material.youngs_modulus material.poisson material.wheel.youngs_modulus "
                 "material.wheel.poisson material.rail.youngs_modulus material.rail.poisson "
                 "pose.lateral pose.yaw pose.roll pose.vertical load.both load.left "
-                "load.right load.of solve.side solve.gap solve.model solve.accuracy "
+                "load.right load.of solve.side solve.method solve.model solve.accuracy "
                 "solve.accuracy_of solve.grid solve.tolerance solve.threads")) {
     EXPECT_TRUE(names.contains(key)) << key;
   }

@@ -39,8 +39,9 @@ static void read_and_write_profiles(void) {
   wrc_profile_destroy(profile);
 }
 
-static void solve(const char* key, const char* value) {
+static void solve(const char* key, const char* value, const char* planner) {
   wrc_scene* scene = NULL;
+  wrc_solver* solver = NULL;
   double number = 0.0;
   expect(wrc_scene_create(&scene) == WRC_OK, "a scene");
   wrc_scene_set_text(scene, "track.rail", rail_path);
@@ -50,7 +51,10 @@ static void solve(const char* key, const char* value) {
   wrc_scene_set_text(scene, "solve.derivatives", "yes");
   wrc_scene_set_text(scene, "solve.results", "stress wear fatigue");
   expect(wrc_scene_set_text(scene, key, value) == WRC_OK, wrc_scene_error(scene));
-  expect(wrc_scene_solve(scene) == WRC_OK, wrc_scene_error(scene));
+  expect(wrc_solver_create(&solver) == WRC_OK, "a solver");
+  expect(wrc_solver_set_text(solver, "planner", planner) == WRC_OK, wrc_solver_error(solver));
+  expect(wrc_solver_solve(solver, scene) == WRC_OK, wrc_scene_error(scene));
+  wrc_solver_destroy(solver);
   for (int64_t i = 0; i < wrc_scene_number_count(scene); ++i) {
     wrc_scene_number(scene, wrc_scene_number_name(scene, i), &number);
   }
@@ -76,10 +80,10 @@ static void make_table(void) {
 
 static void* run(void* unused) {
   read_and_write_profiles();
-  solve("motion.pitch", "free");
-  solve("solve.solver", "paper");
-  solve("solve.creep", "fastsim");
-  solve("solve.planner", "measure");
+  solve("motion.pitch", "free", "estimate");
+  solve("solve.method", "paper", "estimate");
+  solve("solve.creep", "fastsim", "estimate");
+  solve("solve.creep", "full", "measure");
   make_table();
   return unused;
 }

@@ -31,6 +31,38 @@ TEST(SolverHandle, MayBeClearedAndDestroyedUnused) {
   EXPECT_EQ(wrc_solver_clear(solver.get()), WRC_OK);
 }
 
+TEST(SolverHandle, HasOptionsThatChangeNoResultByMoreThanItsTolerance) {
+  const SolverPointer solver = make_solver();
+  wrc_solver* s = solver.get();
+  const auto expect_told = [s](const char* key, const char* value, wrc_status status,
+                               const std::string& text) {
+    EXPECT_EQ(wrc_solver_set_text(s, key, value), status) << key;
+    EXPECT_TRUE(contains(wrc_solver_error(s), text)) << wrc_solver_error(s);
+  };
+  EXPECT_EQ(wrc_solver_set_text(nullptr, "planner", "measure"), WRC_INVALID_ARGUMENT);
+  expect_told(nullptr, "measure", WRC_INVALID_ARGUMENT, "key = NULL");
+  expect_told("planner", nullptr, WRC_INVALID_ARGUMENT, "value = NULL");
+  expect_told("threads", "2", WRC_UNKNOWN_NAME, "there are planner, precision");
+  expect_told("precision", "single", WRC_INVALID_ARGUMENT,
+              "precision = \"single\": must be \"mixed\" or \"double\"");
+  const auto pmax = [s] {
+    const ScenePointer scene = make_scene();
+    EXPECT_EQ(wrc_solver_solve(s, scene.get()), WRC_OK);
+    return number_of(scene.get(), "left.pmax");
+  };
+  const double mixed = pmax();
+  ASSERT_EQ(wrc_solver_set_text(s, "precision", "double"), WRC_OK);
+  const double in_double = pmax();
+  EXPECT_NE(in_double, mixed);
+  EXPECT_NEAR(in_double, mixed, 1e-4 * mixed);
+  ASSERT_EQ(wrc_solver_clear(s), WRC_OK);
+  EXPECT_EQ(pmax(), in_double); // options stay
+  ASSERT_EQ(wrc_solver_set_text(s, "precision", "mixed"), WRC_OK);
+  EXPECT_EQ(pmax(), mixed);
+  ASSERT_EQ(wrc_solver_set_text(s, "planner", "measure"), WRC_OK);
+  EXPECT_NEAR(pmax(), mixed, 1e-4 * mixed);
+}
+
 struct Step {
   double lateral = 0.0; ///< mm
   double yaw = 0.0;     ///< rad
@@ -239,18 +271,19 @@ TEST(Solver, StaysUsableAfterAFailure) {
     ASSERT_EQ(wrc_solver_solve(solver.get(), s), WRC_OK);
     const AllResults before(s);
     spoil(s, failure);
-    // The failing scene also asks for other plans than those kept.
-    set(s, {{"solve.precision", "double"}});
+    // The solver is also to make others than it has kept.
+    EXPECT_EQ(wrc_solver_set_text(solver.get(), "precision", "double"), WRC_OK);
     EXPECT_EQ(wrc_solver_solve(solver.get(), s), failure.status);
     EXPECT_STRNE(wrc_scene_error(s), "");
     EXPECT_EQ(AllResults(s).difference_to(before), "");
+    EXPECT_EQ(wrc_solver_set_text(solver.get(), "precision", "mixed"), WRC_OK);
 
     const ScenePointer next = make_scene_at({1.2}, 1e-2);
     const ScenePointer alone = make_scene_at({1.2}, 1e-2);
     expect_the_same(solver.get(), next.get(), alone.get(), "after a failure");
 
     // The scene that failed is solved as soon as it can be.
-    set(s, {{"wheelset.wheel", "S1002"}, {"pose.lateral", 1.0}, {"solve.precision", "mixed"}});
+    set(s, {{"wheelset.wheel", "S1002"}, {"pose.lateral", 1.0}});
     ASSERT_EQ(wrc_solver_solve(solver.get(), s), WRC_OK);
     EXPECT_STREQ(wrc_scene_error(s), "");
     EXPECT_EQ(AllResults(s).difference_to(before), "");

@@ -59,12 +59,12 @@ TEST(Batch, EqualsSingleSolutionsBitForBit) {
 
 TEST(Batch, ABadSceneDoesNotAffectOthers) {
   constexpr std::size_t unknown = 4;
-  constexpr std::size_t off_the_rail = 11; // in double precision, the next one is not
+  constexpr std::size_t off_the_rail = 11;
   for (const std::int32_t threads : {1, 2}) {
     const std::vector<ScenePointer> scenes = make_varied_scenes();
     const std::vector<wrc_scene*> handles = handles_of(scenes);
     set(handles[unknown], {{"track.rail", "no such rail"}});
-    set(handles[off_the_rail], {{"pose.lateral", 90.0}, {"solve.precision", "double"}});
+    set(handles[off_the_rail], {{"pose.lateral", 90.0}});
     std::vector<wrc_status> statuses(handles.size(), -1);
     EXPECT_EQ(wrc_solve_batch(handles.data(), scene_count, threads, statuses.data()),
               WRC_UNKNOWN_NAME);
@@ -252,14 +252,20 @@ struct Gate {
   static void pass(void* /*context*/) {}
 };
 
+SolverPointer make_measuring_solver() {
+  SolverPointer solver = make_solver();
+  EXPECT_EQ(wrc_solver_set_text(solver.get(), "planner", "measure"), WRC_OK);
+  return solver;
+}
+
 TEST(Threads, AHandleInUseIsRefusedUntilItsCallEnds) {
   Gate gate;
   const ScenePointer scene = make_small_scene();
-  set(scene.get(), {{"solve.planner", "measure"}});
-  const SolverPointer solver = make_solver();
+  const SolverPointer solver = make_measuring_solver();
+  const SolverPointer other = make_solver();
   ASSERT_EQ(wrc_set_planner_lock(Gate::wait, Gate::pass, &gate), WRC_OK);
   wrc_status status = -1;
-  std::thread solving([&] { status = wrc_scene_solve(scene.get()); });
+  std::thread solving([&] { status = wrc_solver_solve(solver.get(), scene.get()); });
   while (!gate.reached) {
     std::this_thread::yield();
   }
@@ -271,6 +277,7 @@ TEST(Threads, AHandleInUseIsRefusedUntilItsCallEnds) {
   wrc_scene* scenes[] = {scene.get()};
   EXPECT_EQ(wrc_solve_batch(scenes, 1, 1, nullptr), WRC_BUSY);
   EXPECT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_BUSY);
+  EXPECT_EQ(wrc_solver_solve(other.get(), scene.get()), WRC_BUSY);
   gate.open = true;
   solving.join();
   ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
@@ -282,10 +289,11 @@ TEST(Threads, AHandleMayBeDestroyedDuringACall) {
   Gate gate;
   wrc_scene* scene = nullptr;
   ASSERT_EQ(wrc_scene_create(&scene), WRC_OK);
-  set(scene, {{"solve.planner", "measure"}, {"solve.grid", std::vector{60.0, 50.0}}});
+  set(scene, {{"solve.grid", std::vector{60.0, 50.0}}});
+  const SolverPointer solver = make_measuring_solver();
   ASSERT_EQ(wrc_set_planner_lock(Gate::wait, Gate::pass, &gate), WRC_OK);
   wrc_status status = -1;
-  std::thread solving([&] { status = wrc_scene_solve(scene); });
+  std::thread solving([&] { status = wrc_solver_solve(solver.get(), scene); });
   while (!gate.reached) {
     std::this_thread::yield();
   }

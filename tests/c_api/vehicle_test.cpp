@@ -334,7 +334,6 @@ TEST(Patches, AreInTheOrderOfTheirPlaces) {
   scene.set("track.rail", "56E1");
   scene.set("pose.lateral", 6.15);
   scene.set("motion.speed", 2e4);
-  scene.set("solve.slip", "planar"); // tractions along the planes
   scene.solve();
   const auto patches = scene.patches();
   ASSERT_EQ(patches.size(), 3U);
@@ -351,12 +350,13 @@ TEST(Patches, AreInTheOrderOfTheirPlaces) {
     EXPECT_EQ(patches[i].angle, scene.number(prefix + "angle"));
     EXPECT_EQ(patches[i].creepage_spin, scene.number(prefix + "creepage.spin"));
     EXPECT_EQ(patches[i].creep_force_lateral, scene.number(prefix + "creep_force.lateral"));
-    // Creep forces lie in the plane, normal forces have a direction of their own.
+    // Creep forces lie in the plane but for the tangents of elements, normal forces have a
+    // direction of their own.
     EXPECT_NEAR(patches[i].normal_y, -std::sin(scene.number(prefix + "plane_angle")), 1e-12);
     force_z += patches[i].normal_force * std::cos(patches[i].angle) -
                patches[i].creep_force_lateral * patches[i].normal_y;
   }
-  EXPECT_NEAR(force_z / scene.number("left.total.force.z"), 1.0, 1e-6);
+  EXPECT_NEAR(force_z / scene.number("left.total.force.z"), 1.0, 1e-3);
   std::int64_t count = 0;
   wrc_patch one{};
   EXPECT_EQ(wrc_scene_patches(scene.handle(), &one, sizeof one, 1, &count), WRC_TOO_SMALL);

@@ -104,8 +104,12 @@ TEST_F(WrcBenchmark, VehicleStepPrintsTheSpreadOfItsSteps) {
     EXPECT_EQ(row.at("accuracy"), 1e-2);
     EXPECT_LE(row.at("total_ms"), row.at("percentile_90_ms"));
     EXPECT_LE(row.at("percentile_90_ms"), row.at("worst_ms"));
-    EXPECT_GT(row.at("error_pmax").get<double>(), 0.0);
-    EXPECT_LT(row.at("error_pmax").get<double>(), 2e-2);
+    if (row.at("method") == "paper") {
+      EXPECT_TRUE(row.at("error_pmax").is_null()); // vertical gaps are another problem
+    } else {
+      EXPECT_GT(row.at("error_pmax").get<double>(), 0.0);
+      EXPECT_LT(row.at("error_pmax").get<double>(), 2e-2);
+    }
   }
 }
 

@@ -240,7 +240,7 @@ TEST_F(WrcCase, VtkElementsLieAroundTheirCentres) {
   constexpr double rounding = 1e-9; // mm
   for (const std::string grid : {"[6,4]", "[1,1]"}) {
     const Outcome outcome =
-        run("--set pose.yaw=0.01 --set solve.side=right --set solve.gap=vertical --set "
+        run("--set pose.yaw=0.01 --set solve.side=right --set solve.method=paper --set "
             "solve.grid=" +
             grid + " --vtk out.vtk --field out.csv");
     std::istringstream vtk(read("out.vtk"));
@@ -443,7 +443,7 @@ TEST_F(WrcCase, RefusesFilesThatCannotBeWritten) {
 
 TEST_F(WrcCase, NotConvergedPrintsResultsAndHasItsOwnExitCode) {
   const Outcome outcome = run("--set solve.grid=[256,128] --set "
-                              "solve.tolerance=1e-13 --set solve.solver=paper --json");
+                              "solve.tolerance=1e-13 --set solve.method=paper --json");
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_NE(outcome.error.find("not converged"), std::string::npos);
   EXPECT_GT(json::parse(outcome.out).at("left").at("pmax").get<double>(), 0.0);

@@ -227,6 +227,10 @@ c A solver's steps end where a scene by itself does.
       call expect(abs(step - alone) .le. 0.0d0, 'bit for bit')
       call wrcclr(solver, ierr)
       call expect(ierr .eq. 0, 'all forgotten')
+      call wrcstx(solver, 'precision', 'double', ierr)
+      call expect(ierr .eq. 0, 'an option')
+      call wrcstx(solver, 'precision', 'single', ierr)
+      call expect(ierr .ne. 0, 'no such precision')
       ierr = -1
       call wrcset(scene, 'pose.lateral', 90.0d0, ierr)
       call wrcstp(solver, scene, ierr)

@@ -364,6 +364,7 @@ contains
     character(:), allocatable :: name, default_value, allowed, meaning
     character(200) :: errmsg
     type(contact_scene) :: scene
+    type(contact_solver) :: solver
     call expect(status_name(wrc_ok) == 'ok', 'ok')
     call expect(status_name(wrc_busy) /= status_name(wrc_no_result), 'names differ')
     found = 0
@@ -395,8 +396,11 @@ contains
     call set_planner_lock(lock, unlock, c_loc(locked))
     call small(scene)
     call scene%set('solve.grid', [37, 23])
-    call scene%set('solve.planner', 'measure') ! the usual plans were made with the first handle
-    call scene%solve()
+    call solver%create()
+    call solver%set('planner', 'measure') ! the usual plans were made with the first handle
+    call solver%solve(scene)
+    call solver%set('planner', 'guess', stat, errmsg)
+    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'estimate') > 0, 'no such planner')
     call expect(locked > 0 .and. locked/1000_c_int == mod(locked, 1000_c_int), 'taken and given back as often')
     call set_planner_lock(c_null_funptr, c_null_funptr, c_null_ptr)
     call set_planner_lock(lock, c_null_funptr, c_null_ptr, stat)

@@ -178,7 +178,7 @@ contains
     call scene%set('solve.side', 'left')
     call scene%set('solve.grid', [256.0_real64, 128.0_real64])
     ! Below what rounding permits on this grid.
-    call scene%set('solve.solver', 'paper')
+    call scene%set('solve.method', 'paper')
     call scene%set('solve.tolerance', 1.0e-13_real64)
     call scene%solve(stat)
     call expect(stat == wrc_not_converged, 'not converged')

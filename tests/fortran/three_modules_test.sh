@@ -3,7 +3,7 @@
 # Usage: three_modules_test.sh THREE_MODULES WRC_CASE
 set -euo pipefail
 printed=$("$1")
-at_three=$("$2" --set solve.gap=vertical --set load.both=80000 load.of=normal --set solve.side=left \
+at_three=$("$2" --set solve.method=paper --set load.both=80000 load.of=normal --set solve.side=left \
   --set 'solve.grid=[256,128]' --set pose.lateral=3 --json | tr -d '\n' |
   sed -E 's/.*"pmax": *([0-9.]+), *"pmax_element".*/\1/')
 awk -v at_three="$at_three" '
@@ -21,7 +21,7 @@ awk -v at_three="$at_three" '
     for (i in calm) expect(near(modules[calm[i]], paper[calm[i]], 0.015), "the paper, entry " calm[i])
     # The distance is sampled at the first touch or where the wheel has sunk to; vertical distances
     # of the calm scenes differ by less than the 0.1 MPa printed, those of two lobes by more.
-    for (i = 0; i < 6; ++i) expect(near(modules[i], whole[i], 5e-4), "as in one call, entry " i)
+    for (i = 0; i < 6; ++i) expect(near(modules[i], whole[i], 1e-3), "as in one call, entry " i)
     for (i = 0; i < 6; ++i) expect(near(roll[i], -roll[5 - i], 1e-3), "mirrored roll, entry " i)
     expect(whole[4] - at_three <= 0.05001 && at_three - whole[4] <= 0.05001, "wrc_case: " at_three)
     expect(times == 4, "times are printed")

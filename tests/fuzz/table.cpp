@@ -29,8 +29,8 @@ wrc::ContactTable base_table() {
   wrc::ContactTable table;
   table.identity.wheel = "S1002";
   table.identity.rail = "60E1";
-  table.identity.numbers = {460.0, 1360.0,   70.0, 1435.0, 14.0, 0.025, 210000.0,
-                            0.3,   210000.0, 0.3,  0.0,    0.0,  0.0};
+  table.identity.numbers = {460.0,    1360.0, 70.0,     1435.0, 14.0, 0.025,
+                            210000.0, 0.3,    210000.0, 0.3,    0.0,  0.0};
   table.taping_line = 750.0;
   table.radius = 460.0;
   table.rail_y = 753.0;

@@ -96,13 +96,16 @@ void record_scene(const ScenePlace& place, const Accuracy& accuracy, Results& re
   const std::string problem = std::string(place.name) + "; " + accuracy.text();
   wrcontact::Scene scene;
   scene.set("solve.grid", std::vector{40.0, 50.0});
-  scene.set("solve.precision", accuracy.precision);
   scene.set("solve.tolerance", accuracy.tolerance);
   scene.set("wheelset.wheel", place.wheel);
   scene.set("track.rail", place.rail);
   scene.set("pose.lateral", place.lateral);
   scene.set("pose.yaw", place.yaw);
-  solve(scene, problem);
+  wrcontact::Solver solver;
+  solver.set("precision", accuracy.precision);
+  if (!solver.solve(scene)) {
+    throw std::runtime_error(problem + ": not converged");
+  }
   Recorder recorder(results, scene, problem, accuracy.allowed());
   recorder.take_number("roll");
   recorder.take_number("vertical");

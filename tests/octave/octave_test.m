@@ -99,6 +99,9 @@
 %! assert (wrc_step (h(1), position, velocity, rails), force);
 %! wrc_step ('close', h(4));
 %! wrc_step ('close', w);
+%! w = wrc_step ('open', 'precision', 'double', 'planner', 'estimate', 'solve.creep', 'fastsim');
+%! assert (wrc_step (w, position, velocity, rails), force, 1);
+%! wrc_step ('close', w);
 %! fail ('wrc_step (w, position, velocity)', 'that has not been closed');
 %! left_open = wrc_step ('open');
 %! clear wrc_mex

@@ -166,19 +166,14 @@ void DrawnScene::draw_solution() {
   };
   choose("solve.model", 0.1, "hertz");
   choose("solve.model", 0.1, "kik-piotrowski");
-  choose("solve.gap", 0.15, "vertical");
+  choose("solve.method", 0.05, "paper");
   choose("solve.side", 0.1, "left");
   choose("solve.side", 0.1, "right");
-  choose("solve.precision", 0.2, "double");
-  choose("solve.interaction", 0.15, "all");
   if (chance(0.2)) {
     set("solve.joining_distance", chance(0.5) ? 0.0 : between(0.0, 20.0));
   }
   choose("solve.curved", 0.1, "yes");
   choose("solve.curved", 0.1, "auto");
-  choose("solve.slip", 0.1, "planar");
-  choose("solve.slip_surface", 0.1, "mean");
-  choose("solve.solver", 0.02, "paper");
   choose("solve.results", 0.2, "stress wear fatigue");
   if (chance(0.05)) {
     set("solve.element_limit", std::floor(between_by_ratio(1e3, 1e5)));

@@ -98,7 +98,7 @@ std::string first_part(const std::string& patch) {
 }
 
 bool is_vertical(const DrawnScene& scene) {
-  return scene.text_or("solve.gap", "tangent") == "vertical";
+  return scene.text_or("solve.method", "auto") == "paper";
 }
 
 /// Share of a plane's normal across the rail that is across it: planes of vertical gaps are yawed.

@@ -173,7 +173,7 @@ DrawnScene VaryingLists::scene(std::uint64_t seed) const {
     return all.at(static_cast<std::size_t>(draw.between(0.0, static_cast<double>(all.size()))));
   };
   for (const auto& [key, permitted] :
-       {std::pair("solve.gap", "tangent"), {"solve.model", "half-space"}}) {
+       {std::pair("solve.method", "auto"), {"solve.model", "half-space"}}) {
     if (draw.chance(0.95)) { // mostly the default
       scene.set(key, std::string(permitted));
     }

@@ -55,7 +55,7 @@ def test_real_calls_raise(kind, call, tmp_path):
 
 def test_what_has_not_converged_can_be_read():
     with pytest.raises(wrcontact.NotConverged) as caught:
-        wrcontact.solve(grid=[256, 128], tolerance=1e-13, solver="paper")
+        wrcontact.solve(grid=[256, 128], tolerance=1e-13, method="paper")
     assert caught.value.result.left.pmax > 0.0
 
 

@@ -177,6 +177,18 @@ def test_a_solver_gives_the_bits_of_single_scenes():
     assert solver.solve(scene).left.pmax == alone["left.pmax"]
 
 
+def test_options_of_a_solver_change_results_within_their_tolerance():
+    mixed = wrcontact.Solver().solve(wrcontact.Scene(accuracy=1e-2)).left.pmax
+    solver = wrcontact.Solver(precision="double", planner="estimate")
+    found = solver.solve(wrcontact.Scene(accuracy=1e-2)).left.pmax
+    assert found != mixed and abs(found / mixed - 1) < 1e-3
+    assert solver.set(precision="mixed").solve(wrcontact.Scene(accuracy=1e-2)).left.pmax == mixed
+    with pytest.raises(wrcontact.InvalidArgument, match='must be "mixed" or "double"'):
+        solver.set(precision="single")
+    with pytest.raises(wrcontact.UnknownName, match="there are planner, precision"):
+        wrcontact.Solver(threads="2")
+
+
 def test_a_step_gives_forces_and_derivatives_of_both_wheels():
     solver, scene = wrcontact.Solver(), wrcontact.Scene(accuracy_of="forces")
     position, velocity = [0, 3.0, 459.88, 1e-4, 0, 1e-3], [2e4, 15.0, 0, 0, 43.5, 0]

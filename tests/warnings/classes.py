@@ -116,7 +116,7 @@ CASES = {
     "no_contact": Case("no contact at this height", {"pose.vertical": 470}),
     "no_load": Case("is treated as zero load", {"load.both": 1e-9}),
     "not_converged": Case("not converged: ", {
-        "solve.grid": [256, 128], "solve.solver": "paper", "solve.tolerance": 1e-13,
+        "solve.grid": [256, 128], "solve.method": "paper", "solve.tolerance": 1e-13,
         **LEFT}),
     "not_settled": Case("not settled", {
         "track.inclination": 0, "pose.roll": 0, "solve.accuracy": 1e-2, **LEFT},
@@ -132,15 +132,13 @@ CASES = {
     "grid_edge": Case("contact reaches the edge of the grid", {"solve.grid": [4, 4], **LEFT}),
     "patch_turn": Case("the rail turns by", {"pose.lateral": 5, "solve.accuracy": 0.004, **LEFT}),
     "vertical_angle": Case("vertical distances at a contact angle", {
-        "solve.gap": "vertical", "pose.lateral": 6, **LEFT, **QUICK}),
+        "solve.method": "paper", "pose.lateral": 6, **LEFT, **QUICK}),
     "patch_left_out": Case("that patch is left out", {
-        "solve.gap": "vertical", **FLANGE_AND_TREAD, **LEFT, **QUICK}),
-    "other_solver": Case("solved together by the default solver", {
-        "solve.solver": "paper", "solve.grid": [32, 32], **FLANGE_AND_TREAD, **LEFT}),
+        "solve.method": "paper", **FLANGE_AND_TREAD, **LEFT, **QUICK}),
     "close_patches": Case("patches almost touch", {
         "track.rail": "UIC60-Manchester", "pose.lateral": 6.2632, "pose.yaw": -0.01971,
         "track.inclination": 0.05, "load.both": 113710, **LEFT, "solve.joining_distance": 0.02,
-        "solve.interaction": "all", "solve.accuracy": 8e-4}),
+        "solve.accuracy": 8e-4}),
     "model_validity": Case("pmax may be off by tens of per cent", {
         "solve.model": "hertz", "pose.lateral": 5, **LEFT}),
     "no_interaction": Case("known in part", {

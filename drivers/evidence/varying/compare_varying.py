@@ -4,17 +4,18 @@
 Reads slices_cases.json (scenes, and what CONTACT finds in them by its two searches) and the folder of
 profiles it names, solves each scene with the library, and prints a table: differences of the forces on
 the wheel in percent of the vertical force, of its height in um, and both largest pressures. Both take
-slip at three creepages of the patch (solve.slip = "planar") and the wheelset does not move vertically
-(motion.vertical = 0), as CONTACT has it. Lists by formula (set own_*) are written to a temporary folder.
+slip at three creepages of the patch (by the program solve_like_contact) and the wheelset does not move
+vertically (motion.vertical = 0), as CONTACT has it. Lists by formula (set own_*) are written to a temporary folder.
 Units mm, N, MPa. Not covered: cases whose rail CONTACT does not find.
 
-  compare_varying.py CASES.json [--profiles FOLDER] [--set NAME ...] [--summary]
+  compare_varying.py SOLVE_LIKE_CONTACT CASES.json [--profiles FOLDER] [--set NAME ...] [--summary]
 """
 import argparse
 import json
 import math
 import pathlib
 import statistics
+import subprocess
 import sys
 import tempfile
 import warnings
@@ -88,7 +89,6 @@ def scene_of(given: dict[str, Any], profiles: list[pathlib.Path], reference: dic
     scene["motion.speed"] = given["speed_mm_s"]
     scene["motion.pitch"] = given["pitch_rate_rad_s"]
     scene["motion.vertical"] = 0.0
-    scene["solve.slip"] = "planar"
     if "vertical_force_N" in given:
         scene["load.right"] = given["vertical_force_N"]
         scene["load.of"] = "total"
@@ -97,16 +97,25 @@ def scene_of(given: dict[str, Any], profiles: list[pathlib.Path], reference: dic
     return scene
 
 
-def compare(case: dict[str, Any], profiles: list[pathlib.Path]) -> dict[str, Any] | None:
+def solve(program: pathlib.Path, scene: wrcontact.Scene, names: tuple[str, ...]) -> dict[str, float]:
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "scene.toml"
+        scene.write(path)
+        found = subprocess.run([program, path, *names], check=True, capture_output=True, text=True)
+    return dict(zip(names, map(float, found.stdout.split())))
+
+
+def compare(program: pathlib.Path, case: dict[str, Any], profiles: list[pathlib.Path]) -> dict[str, Any] | None:
     by_search = case["by_search"]
     reference = by_search.get("brute") or next(iter(by_search.values()))
     force = [reference["force_N"][axis] for axis in "xyz"]
     if not reference["patches"] or force[2] <= 0.0:
         return None
     given = case["input"]
-    result = scene_of(given, profiles, reference).solve()
-    names = ("longitudinal_force", "lateral_force", "vertical_force")
-    found = [result[f"right.{name}"] for name in names]
+    names = ("right.longitudinal_force", "right.lateral_force", "right.vertical_force", "right.vertical",
+             "right.depth", "right.pmax")
+    result = solve(program, scene_of(given, profiles, reference), names)
+    found = [result[name] for name in names[:3]]
     height = result["right.vertical"] - result["right.depth"]
     return {
         "force": [100.0 * (a - b) / force[2] for a, b in zip(found, force)],
@@ -120,6 +129,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
+    parser.add_argument("program", type=pathlib.Path, help="solve_like_contact")
     parser.add_argument("cases", type=pathlib.Path, help="slices_cases.json")
     parser.add_argument("--profiles", type=pathlib.Path, help="folder of slices; default: beside the cases")
     parser.add_argument("--set", nargs="+", default=[], help="sets or cases to solve")
@@ -140,9 +150,9 @@ def main() -> int:
                 continue
             name = f"{case['set']} | {case['id']}"
             try:
-                difference = compare(case, [own, beside, beside.parent])
-            except wrcontact.Error as error:
-                print(f"| {name} | {error} |")
+                difference = compare(options.program, case, [own, beside, beside.parent])
+            except subprocess.CalledProcessError as error:
+                print(f"| {name} | {error.stderr.strip()} |")
                 continue
             if difference is None:
                 continue

@@ -30,7 +30,6 @@ Scene scene_of(const json& entry) {
   number("pose.yaw", "yaw_rad");
   number("pose.roll", "roll_rad");
   number("load.both", "vertical_load_N");
-  scene.set("solve.interaction", std::string("near")); // CONTACT's rule
   return scene;
 }
 

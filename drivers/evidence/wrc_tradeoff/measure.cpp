@@ -24,7 +24,6 @@ void set_way(driver::Scene& scene, const Way& way) {
   } else {
     scene.set("solve.accuracy", way.accuracy);
     scene.set("solve.accuracy_of", way.label == "forces" ? "forces" : "pressures");
-    scene.set("solve.precision", way.label == "double" ? "double" : "mixed");
   }
 }
 
@@ -82,9 +81,9 @@ private:
     std::vector<driver::Scene> scenes = scenes_with([share](driver::Scene& scene) {
       scene.set("solve.grid", std::vector<double>{share * truth_grid[0], share * truth_grid[1]});
       scene.set("solve.tolerance", 1e-8);
-      scene.set("solve.precision", "double");
     });
     driver::Solver solver;
+    solver.set("precision", "double");
     solve(solver, scenes);
     std::array<Figures, 2> figures;
     for (std::size_t side = 0; side < 2; ++side) {
@@ -109,6 +108,7 @@ private:
         scenes_with([&way](driver::Scene& scene) { set_way(scene, way); });
     Run made;
     made.way = way;
+    solver_.set("precision", way.label == "double" ? "double" : "mixed");
     solve(solver_, scenes); // plans
     std::vector<double> times;
     for (double spent = 0.0;

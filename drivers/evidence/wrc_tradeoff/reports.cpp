@@ -104,7 +104,7 @@ void print_misses(const std::vector<Measured>& all, std::ostream& out) {
         << miss.truth_uncertainty << "; " << miss.side << ", " << miss.options
         << " --set solve.accuracy=" << miss.asked
         << " --set solve.accuracy_of=" << (miss.label == "forces" ? "forces" : "pressures")
-        << (miss.label == "double" ? " --set solve.precision=double" : "")
+        << (miss.label == "double" ? " (in double precision)" : "")
         << (miss.warnings.empty() ? "" : " [" + miss.warnings + ']') << '\n';
   }
 }

@@ -192,7 +192,7 @@ TEST(FreePitch, MatchesContactsCasesWithAPrescribedForce) {
     scene.accuracy_of = AccuracyOf::forces;
     scene.motion = Motion{.speed = 1e3 * input.at("vx_m_s").get<double>()};
     scene.pitch_is_free = true;
-    scene.slip = SlipVariation::planar; // D = 2
+    scene.slip.variation = SlipVariation::planar; // D = 2
     // The force on the wheel is the other way round, at the rolling radius.
     const auto& patch = reference.at("patches").at(0);
     const double rolling_radius =
@@ -255,8 +255,7 @@ TEST(FreePitch, JumpsOfForcesEndTheSearch) {
   scene.vertical = 606.74697540262969;
   scene.accuracy = 1.1056112753860231e-3;
   scene.motion.emplace(); // for the grid of normal contact
-  scene.precision = Precision::double_only;
-  SceneResult normal = solve_scene(scene);
+  SceneResult normal = solve_scene(scene, {.precision = Precision::double_only});
   CreepRequest request;
   request.model = CreepModel::full;
   request.motion = Motion{.speed = 181.7825001337884};

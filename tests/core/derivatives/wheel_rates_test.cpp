@@ -48,6 +48,8 @@ void PrintTo(const Case& c, std::ostream* out) {
   *out << c.name;
 }
 
+constexpr SolverOptions in_double{.precision = Precision::double_only};
+
 /// At the height that the usual load asks for.
 Scene scene_of(const Case& c) {
   Scene scene;
@@ -63,8 +65,7 @@ Scene scene_of(const Case& c) {
   scene.side = SideChoice::left;
   scene.grid = {{96, 96}};
   scene.tolerance = 1e-10;
-  scene.precision = Precision::double_only;
-  const SceneResult under_load = solve_scene(scene);
+  const SceneResult under_load = solve_scene(scene, in_double);
   scene.vertical = under_load.left->vertical - under_load.left->depth;
   return scene;
 }
@@ -74,7 +75,7 @@ class SideSensitivities : public testing::TestWithParam<Case> {};
 TEST_P(SideSensitivities, AreThoseOfTheWholeScene) {
   const Case& c = GetParam();
   const Scene scene = scene_of(c);
-  SceneResult here = solve_scene(scene);
+  SceneResult here = solve_scene(scene, in_double);
   ASSERT_EQ(solved_patches(*here.left).size(), c.patches);
   const std::optional<WheelRates> rates = wheel_rates_of(*here.left);
   ASSERT_TRUE(rates);
@@ -101,7 +102,7 @@ TEST_P(SideSensitivities, AreThoseOfTheWholeScene) {
       } else {
         moved.yaw += by / arm;
       }
-      forces[end] = solve_scene(moved).left->force;
+      forces[end] = solve_scene(moved, in_double).left->force;
     }
     const Vector3 difference = (0.5 / step) * (forces[1] - forces[0]);
     EXPECT_NEAR(found[motion].y, difference.y, c.tolerance * largest) << motion;

@@ -53,7 +53,7 @@ TEST(CreepForces, OnlyWhereCreepagesAreGiven) {
 TEST(CreepForces, AreZeroForZeroCreepagesOrFriction) {
   for (const bool frictionless : {false, true}) {
     Scene scene = scene_at(3.0, frictionless ? moderate : Creepages{});
-    scene.slip = frictionless ? SlipVariation::by_element : SlipVariation::planar;
+    scene.slip.variation = frictionless ? SlipVariation::by_element : SlipVariation::planar;
     scene.left.friction.coefficient = frictionless ? 0.0 : 0.3;
     const SceneResult result = solve_scene(scene);
     const CreepResult& creep = creep_of(result.left);
@@ -372,8 +372,8 @@ TEST(CreepForces, TwoPatchesOnTheFlangeAddUpToTheTotalForce) {
   scene.right.creepages.reset();
   scene.motion = Motion{.speed = 1e3 * input.at("vx_m_s").get<double>(),
                         .pitch = -input.at("vpitch_rad_s").get<double>()};
-  scene.slip = SlipVariation::planar;    // D = 2
-  scene.interaction = Interaction::near; // CONTACT's rule
+  scene.slip.variation = SlipVariation::planar; // D = 2
+  scene.interaction = Interaction::near;        // CONTACT's rule
   const double load = input.at("Fz_N");
   scene.right.load = load;
   WheelForce total = total_force(*solve_scene(scene).right);
@@ -391,7 +391,7 @@ TEST(CreepForces, TwoPatchesOnTheFlangeAddUpToTheTotalForce) {
 TEST(CreepForces, EstimatesIncludeTheErrorOfPlanes) {
   Scene scene = scene_at(6.0, moderate);
   scene.side = SideChoice::left;
-  scene.slip = SlipVariation::by_element;
+  scene.slip.variation = SlipVariation::by_element;
   scene.curved = CurvedChoice::no;
   const SceneWheel plane = solve_scene(scene).left.value();
   scene.curved = CurvedChoice::yes;

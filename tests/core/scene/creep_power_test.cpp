@@ -41,7 +41,7 @@ Scene on_two_parts() {
 TEST(CreepPower, OfPartsIsTheSumOfTheirs) {
   Scene scene = on_two_parts();
   scene.motion = Motion{.speed = 2e4, .lateral = -11.719058448460416};
-  scene.slip = SlipVariation::planar; // slip beyond creepages has a power of its own
+  scene.slip.variation = SlipVariation::planar; // slip beyond creepages has a power of its own
   const SceneResult result = solve_scene(scene);
   const PatchResult& patch = result.right.value().patches.at(0);
   ASSERT_EQ(patch.parts.size(), 2U);

@@ -140,7 +140,7 @@ TEST(Sides, RailsThatMoveWithTheWheelsetLeaveItsCreepages) {
 
 TEST(Sides, ARollingRailAddsSpinAndTheVelocityOfItsLeverArm) {
   Scene scene = scene_at(0.0);
-  scene.slip = SlipVariation::planar; // at the reference
+  scene.slip.variation = SlipVariation::planar; // at the reference
   scene.motion = Motion{.speed = 20000.0};
   const Creepages at_rest = solve_scene(scene).left->patches.at(0).creep->creepages;
   scene.left.velocity.roll = 1.0;

@@ -75,9 +75,9 @@ const CreepResult& creep_of(const SceneResult& result) {
 TEST(SlipByElement, ChangesForcesAsInContact) {
   for (const Case& one : cases) {
     Scene scene = scene_of(one);
-    scene.slip = SlipVariation::planar;
+    scene.slip.variation = SlipVariation::planar;
     const CreepResult planar = creep_of(solve_scene(scene));
-    scene.slip = SlipVariation::plane_axes;
+    scene.slip.variation = SlipVariation::plane_axes;
     const CreepResult by_element = creep_of(solve_scene(scene));
     const double whole = friction * one.by_element.normal;
     const double share = one.by_element.normal / one.planar.normal; // equal loads
@@ -182,7 +182,7 @@ TEST(SlipByElement, DiffersFromAPlaneForTwoLobes) {
   Scene scene = sliding_lobes();
   const CreepResult by_element = creep_of(solve_scene(scene));
   EXPECT_GT(by_element.slip_variation, 5e-5);
-  scene.slip = SlipVariation::planar; // each lobe at its own reference
+  scene.slip.variation = SlipVariation::planar; // each lobe at its own reference
   const SceneResult lobes = solve_scene(scene);
   const CreepResult by_lobe = creep_of(lobes);
   const WheelResult& wheel = lobes.right.value();
@@ -261,19 +261,19 @@ TEST(SlipByElement, LeavesGivenCreepagesInThePlane) {
   scene.side = SideChoice::left;
   scene.lateral = 6.3; // two lobes, whose tangents differ
   scene.left.creepages = Creepages{0.002, -0.003, -0.0003};
-  const auto force_of = [&](const char* slip, const char* surface) {
-    set_text(scene, "solve.slip", slip);
-    set_text(scene, "solve.slip_surface", surface);
+  const auto force_of = [&](SlipVariation variation, SlipSurface surface) {
+    scene.slip = {variation, surface};
     return total_force(*solve_scene(scene).left);
   };
-  const WheelForce planar = force_of("planar", "wheel");
+  const WheelForce planar = force_of(SlipVariation::planar, SlipSurface::wheel);
   EXPECT_GT(std::abs(planar.force.y), 1e3);
-  const WheelForce by_element = force_of("by-element", "wheel");
+  const WheelForce by_element = force_of(SlipVariation::by_element, SlipSurface::wheel);
   EXPECT_NEAR(by_element.force.y, planar.force.y, 1e-2 * norm(planar.force));
-  for (const auto& [slip, surface, same] :
-       {std::tuple{"by-element", "mean", by_element}, std::tuple{"plane-axes", "wheel", planar}}) {
-    const WheelForce found = force_of(slip, surface);
-    SCOPED_TRACE(slip);
+  for (const auto& [variation, surface, same] :
+       {std::tuple{SlipVariation::by_element, SlipSurface::mean, by_element},
+        std::tuple{SlipVariation::plane_axes, SlipSurface::wheel, planar}}) {
+    const WheelForce found = force_of(variation, surface);
+    SCOPED_TRACE(static_cast<int>(variation));
     EXPECT_EQ(found.force.x, same.force.x);
     EXPECT_EQ(found.force.y, same.force.y);
     EXPECT_EQ(found.force.z, same.force.z);
@@ -283,20 +283,16 @@ TEST(SlipByElement, LeavesGivenCreepagesInThePlane) {
   }
 }
 
-TEST(SlipByElement, KeysChooseIt) {
-  Scene scene;
-  EXPECT_EQ(std::get<std::string>(key_value(scene, "solve.slip")), "by-element");
-  EXPECT_EQ(std::get<std::string>(key_value(scene, "solve.slip_surface")), "wheel");
-  scene = scene_of(cases[1]);
+TEST(SlipByElement, IsAChoiceOfTheScene) {
+  Scene scene = scene_of(cases[1]);
   const double of_wheel = creep_of(solve_scene(scene)).creepages.longitudinal;
-  set_text(scene, "solve.slip_surface", "mean");
+  scene.slip.surface = SlipSurface::mean;
   const SceneResult result = solve_scene(scene);
   // Half the approach nearer to the axle.
   const double closer = 0.5 * result.right->patches[0].approach / 460.0;
   EXPECT_NEAR(creep_of(result).creepages.longitudinal - of_wheel, closer, 0.5 * closer);
-  set_text(scene, "solve.slip", "planar");
+  scene.slip.variation = SlipVariation::planar;
   EXPECT_EQ(creep_of(solve_scene(scene)).slip_variation, 0.0);
-  EXPECT_ANY_THROW(set_text(scene, "solve.slip", "by-row"));
 }
 
 } // namespace

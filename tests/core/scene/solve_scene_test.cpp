@@ -73,11 +73,11 @@ TEST(SolveScene, OscillatingDepthsStayBelowTheFirstTouch) {
   scene.grid = {{34, 25}};
   scene.tolerance = 2e-6;
   scene.accuracy = 0.0019965984507527676;
-  scene.precision = Precision::double_only;
   constexpr double lateral = -8.158270605519743;
   constexpr double load = 104999.82864163654;
   scene.yaw = 0.010431835716998683;
   SceneSolver solver;
+  solver.set_options({.precision = Precision::double_only});
   for (const auto& [share, shift] : {std::pair{0.97, 0.1}, {1.0, 0.0}}) {
     scene.lateral = share * lateral + shift;
     scene.load_of = LoadOf::normal;

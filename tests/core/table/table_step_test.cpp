@@ -140,7 +140,7 @@ TEST(TableStep, RefusesAScenePartlyUnlikeTheTables) {
   EXPECT_NE(message_of([](Scene& scene) { scene.left.creepages = Creepages{}; }, inside), "");
   EXPECT_NE(message_of([](Scene& scene) { scene.creep = CreepModel::fastsim; }, inside), "");
   EXPECT_NE(message_of([](Scene& scene) { scene.curved = CurvedChoice::yes; }, inside), "");
-  EXPECT_NE(message_of([](Scene& scene) { scene.interaction = Interaction::near; }, inside), "");
+  EXPECT_NE(message_of([](Scene& scene) { scene.solver = SolverChoice::paper; }, inside), "");
   EXPECT_NE(
       message_of([](Scene& scene) { scene.track.gauge = 1440.0; }, inside).find("track.gauge"),
       std::string::npos);

@@ -22,7 +22,7 @@ TEST(TableText, SaysWhatATableIsOfInItsUnits) {
   expect_line(table, "track.rail = " + table.identity.rail);
   expect_line(table, "wheelset.radius = " + text_of(table.identity.numbers[0]) + " mm");
   expect_line(table, "track.inclination = " + text_of(table.identity.numbers[5]) + " rad");
-  expect_line(table, "solve.gap = tangent");
+  expect_line(table, "solve.method = auto");
   table.identity.numbers[0] = 460.0;
   table.identity.numbers[6] = 210000.0;
   table.ranges = {8.0, 0.01, 0.02, 150000.0};

@@ -314,7 +314,7 @@ TEST(ApproximateWheel, RefusesOptionsThatAModelLacks) {
   Scene scene = scene_at(0.0);
   scene.gap = GapConvention::vertical;
   expect_error(
-      ErrorCode::invalid_argument, [&] { solve_with("hertz", scene); }, "solve.gap");
+      ErrorCode::invalid_argument, [&] { solve_with("hertz", scene); }, "solve.method");
   expect_error(
       ErrorCode::invalid_argument, [&] { set_text(scene, "solve.model", "fastsim"); },
       "kik-piotrowski");
