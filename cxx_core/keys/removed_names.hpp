@@ -27,6 +27,10 @@ struct RemovedName {
   std::string_view successor; ///< a name, or a sentence without a capital and a point
 };
 
+inline constexpr std::string_view of_profile =
+    "use an option of the profile, \"FILE; smoothing = 5\": smoothing, smoothing_along, rotation, "
+    "origin, shift or align_to";
+
 inline constexpr std::array removed_names{
     RemovedName{NameOf::key, "load.vertical", "use load.both"},
     RemovedName{NameOf::key, "load.normal", "use load.both with load.of = \"normal\""},
@@ -50,6 +54,19 @@ inline constexpr std::array removed_names{
     RemovedName{
         NameOf::key, "solve.precision",
         "it is an option of a solver: wrc_solver_set_text(solver, \"precision\", \"double\")"},
+    RemovedName{NameOf::key, "track.rail_origin", of_profile},
+    RemovedName{NameOf::key, "track.rail_smoothing", of_profile},
+    RemovedName{NameOf::key, "track.rail_smoothing_along", of_profile},
+    RemovedName{NameOf::key, "track.left.rail_smoothing", of_profile},
+    RemovedName{NameOf::key, "track.right.rail_smoothing", of_profile},
+    RemovedName{NameOf::key, "wheelset.wheel_smoothing", of_profile},
+    RemovedName{NameOf::key, "wheelset.wheel_smoothing_along", of_profile},
+    RemovedName{NameOf::key, "wheelset.left.wheel_smoothing", of_profile},
+    RemovedName{NameOf::key, "wheelset.right.wheel_smoothing", of_profile},
+    RemovedName{NameOf::key, "wheelset.profile_origin", of_profile},
+    RemovedName{NameOf::key, "wheelset.profile_shift", of_profile},
+    RemovedName{NameOf::key, "wheelset.profile_rotation", of_profile},
+    RemovedName{NameOf::key, "wheelset.align_to", of_profile},
     // The first of two numbers was the lateral one in grids, the longitudinal one in axes and
     // radii.
     RemovedName{NameOf::result, "grid.0", "grid.lateral"},

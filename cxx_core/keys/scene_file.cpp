@@ -54,9 +54,8 @@ std::string lasting_name(const std::string& name, ProfileKind kind) {
   return is_built_in(name, kind) ? name : fs::absolute(name).string();
 }
 
-bool is_wheel_file(const ProfileChoice& wheel) {
-  return !wheel.given && !is_built_in(wheel.name, ProfileKind::wheel);
-}
+/// Of points of a wheel given by the program.
+const ProfilePlacement as_they_are{WheelOrigin::tape, {}, 0.0, {}};
 
 /// Writes the points of a profile given by the program; returns the file's name.
 std::string write_beside(const Profile& profile, const std::string& side,
@@ -69,7 +68,7 @@ std::string write_beside(const Profile& profile, const std::string& side,
   options.smoothing_wavelength = 0.0;
   options.kind = profile.kind;
   if (wheel) {
-    static_cast<ProfilePlacement&>(options) = scene.wheel_placement;
+    static_cast<ProfilePlacement&>(options) = as_they_are;
     options.tape_offset = scene.tape_offset;
   }
   if (read_profile(path, options).profile.points != profile.points) {
@@ -111,22 +110,21 @@ std::string scene_text(const Scene& scene) {
 
 void write_scene(const Scene& scene, const fs::path& path) {
   Scene lasting = scene;
-  const bool is_given = scene.left.wheel.given || scene.right.wheel.given;
-  if (is_given && !is_wheel_file(scene.left.wheel) && !is_wheel_file(scene.right.wheel)) {
-    // Points given by the program are as they are.
-    lasting.wheel_placement = {WheelOrigin::tape, 0.0, 0.0, {}};
-  } else if (std::string& nominal = lasting.wheel_placement.align_to; !nominal.empty()) {
-    nominal = lasting_name(nominal, ProfileKind::wheel);
-  }
   const auto lasting_choice = [&](const ProfileChoice& choice, ProfileKind kind,
                                   const std::string& side) {
     ProfileChoice written = choice;
     if (choice.given) {
       written.name = write_beside(*choice.given, side, path, lasting);
       written.given = nullptr;
-      written.smoothing = 0.0;
+      written.options.smoothing = 0.0;
+      if (kind == ProfileKind::wheel) {
+        written.options.placement = as_they_are;
+      }
     } else {
       written.name = lasting_name(choice.name, kind);
+      if (std::string& nominal = written.options.placement.align_to; !nominal.empty()) {
+        nominal = lasting_name(nominal, kind);
+      }
     }
     return written;
   };

@@ -141,15 +141,13 @@ std::optional<std::string> allowed_for(const Key& key, const Convention& convent
 }
 
 /// Permitted ranges are declared in mm, y left, z up, and stated as the value was given.
-[[noreturn]] void refuse_number(const Key& key, const Convention& convention, double given,
-                                double inside) {
-  if (convention == Convention{} || key.dimension.quantity == Quantity::number) {
-    refuse(key, text_of(given));
-  }
-  if (const std::optional<std::string> allowed = allowed_for(key, convention)) {
-    throw_invalid_argument(std::string(key.description.name), text_of(given), must_be(*allowed));
-  }
-  refuse(key, text_of(given) + " (in mm, N, MPa, y left, z up: " + text_of(inside) + ')');
+[[noreturn]] void refuse_number(const Key& key, const Convention& convention, double given) {
+  const std::string allowed(key.description.allowed);
+  throw_invalid_argument(
+      std::string(key.description.name), text_of(given),
+      must_be(convention == Convention{} || key.dimension.quantity == Quantity::number
+                  ? allowed
+                  : allowed_for(key, convention).value_or(allowed)));
 }
 
 /// A value as the key takes it. Throws Error(invalid_argument).
@@ -158,7 +156,7 @@ double checked_number(const Key& key, const Convention& convention, double value
   const bool permitted =
       inside >= key.min && inside <= key.max && (!key.whole || inside == std::floor(inside));
   if (!key.set_number || !permitted) {
-    refuse_number(key, convention, value, inside);
+    refuse_number(key, convention, value);
   }
   return inside;
 }

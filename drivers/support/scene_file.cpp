@@ -137,7 +137,56 @@ Values values_in_force(const Scene& scene) {
   return values;
 }
 
-bool is_profile_file(const std::string& name) {
+ProfileText::ProfileText(const std::string& text) {
+  constexpr std::string_view blanks = " \t";
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+  std::string* value = &name;
+  std::size_t begin = 0;
+  const auto take_until = [&](std::size_t end) {
+    *value = text.substr(begin, end - begin);
+    if (begin > 0 || end < text.size()) {
+      value->erase(value->find_last_not_of(blanks) + 1);
+    }
+    if (begin > 0) {
+      value->erase(0, std::min(value->find_first_not_of(blanks), value->size()));
+    }
+  };
+  for (std::size_t at = text.find(';'); at != std::string::npos; at = text.find(';', at + 1)) {
+    const std::size_t word = text.find_first_not_of(blanks, at + 1);
+    const std::size_t end = text.find_first_not_of(letters, word);
+    const std::size_t equals = text.find_first_not_of(blanks, end);
+    if (equals != std::string::npos && end > word && text[equals] == '=') {
+      take_until(at);
+      value = &options.emplace_back(lower_case(text.substr(word, end - word)), "").second;
+      begin = equals + 1;
+    }
+  }
+  take_until(text.size());
+}
+
+std::string ProfileText::option(const std::string& wanted, const std::string& otherwise) const {
+  std::string value = otherwise;
+  for (const auto& [key, text] : options) {
+    value = key == wanted ? text : value;
+  }
+  return value;
+}
+
+std::string ProfileText::text() const {
+  std::string all = name;
+  for (const auto& [key, value] : options) {
+    all.append("; ").append(key).append(" = ").append(value);
+  }
+  return all;
+}
+
+std::string file_of(const std::string& profile) {
+  const std::string name = ProfileText(profile).name;
+  return is_standard(name) ? "" : name;
+}
+
+bool is_profile_file(const std::string& profile) {
+  const std::string name = ProfileText(profile).name;
   std::error_code trouble;
   return !is_standard(name) && std::filesystem::is_regular_file(name, trouble);
 }
@@ -146,7 +195,7 @@ std::vector<std::string> profile_files(const Scene& scene) {
   std::set<std::string> files;
   for (const auto& [key, value] : values_in_force(scene)) {
     if (names_profile(key) && is_profile_file(text_of(value))) {
-      files.insert(text_of(value));
+      files.insert(ProfileText(text_of(value)).name);
     }
   }
   return {files.begin(), files.end()};
@@ -161,15 +210,19 @@ void refuse_varying(const Scene& scene, const std::string& what) {
   for (const auto& [key, value] : values_in_force(scene)) {
     const std::vector<double>* list = std::get_if<std::vector<double>>(&value);
     const bool waves = key.ends_with("harmonics") && list != nullptr && !list->empty();
-    if (waves || (names_profile(key) && is_slices_file(text_of(value)))) {
+    if (waves || (names_profile(key) && is_slices_file(ProfileText(text_of(value)).name))) {
       throw Failure(key + " = " + text_of(value) + ": " + what +
                     " rails do not vary along the track, nor wheels around their circumference");
     }
   }
 }
 
-Profile load_profile(const Scene& scene, std::int32_t kind, const std::string& name) {
+Profile load_profile(const Scene& scene, std::int32_t kind, const std::string& text) {
   const bool wheel = kind == WRC_WHEEL;
+  Scene checked; // refuses wrong options
+  set_value(checked, wheel ? "wheelset.wheel" : "track.rail", text);
+  const ProfileText parts(text);
+  const std::string& name = parts.name;
   Profile profile;
   if (is_standard(name)) {
     profile.load_standard(name);
@@ -188,50 +241,65 @@ Profile load_profile(const Scene& scene, std::int32_t kind, const std::string& n
                   (wheel ? "around the wheel" : "along the track") + "; wrc_profile " + name +
                   " --slice N --convert FILE makes one of a slice");
   }
-  const Values values = values_in_force(scene);
-  const auto number = [&](const char* key, double otherwise) {
-    const auto found = values.find(key);
-    const double* const value =
-        found == values.end() ? nullptr : std::get_if<double>(&found->second);
-    return value == nullptr ? otherwise : *value;
+  const auto number = [&parts](const char* option, double otherwise) {
+    const std::string word = parts.option(option, "");
+    double value = otherwise;
+    std::from_chars(word.data(), word.data() + word.size(), value); // not of a word
+    return value;
   };
   wrc_read_options options{};
   options.struct_size = sizeof options;
   options.kind_given = 1;
   options.kind = kind;
-  const std::string nominal = wheel ? scene.get_text("wheelset.align_to") : "none";
-  const double length =
-      number(wheel ? "wheelset.wheel_smoothing" : "track.rail_smoothing", WRC_SMOOTHING_AUTO);
+  const double length = number("smoothing", WRC_SMOOTHING_AUTO);
   options.smoothing_wavelength = length == 0.0 ? WRC_SMOOTHING_NONE : length;
+  const double unset = std::numeric_limits<double>::quiet_NaN();
+  const double rotation = number("rotation", unset);
+  options.rotation_given = std::isnan(rotation) ? 0 : 1;
+  options.rotation = options.rotation_given != 0 ? rotation : 0.0;
+  const std::string nominal = parts.option("align_to", "none");
+  options.align_to = nominal == "none" ? nullptr : nominal.c_str();
   if (wheel) {
-    options.tape_offset = number("wheelset.tape_offset", 0.0);
-    options.lateral_shift = number("wheelset.profile_shift", 0.0);
-    const std::string origin = scene.get_text("wheelset.profile_origin");
+    options.tape_offset = scene.get_number("wheelset.tape_offset");
+    options.lateral_shift = number("shift", 0.0);
+    const std::string origin = parts.option("origin", "auto");
     options.origin = origin == "tape"          ? WRC_ORIGIN_TAPE
                      : origin == "flange-back" ? WRC_ORIGIN_FLANGE_BACK
                                                : 0;
-    const double unset = std::numeric_limits<double>::quiet_NaN();
-    const double rotation = number("wheelset.profile_rotation", unset);
-    options.rotation_given = std::isnan(rotation) ? 0 : 1;
-    options.rotation = options.rotation_given != 0 ? rotation : 0.0;
-    options.align_to = nominal == "none" ? nullptr : nominal.c_str();
   }
   profile.load_file(name, &options);
   return profile;
 }
 
-std::string beside(const std::string& file, const std::string& profile) {
-  // A built-in profile is not hidden by a file of its name.
-  if (is_standard(profile)) {
-    return profile;
+void use_profile(Scene& scene, const std::string& key, const Profile& profile,
+                 const std::string& text) {
+  scene.set(key, profile);
+  const std::string origin = ProfileText(text).option("origin", "gauge");
+  if (profile.kind() == WRC_RAIL && origin != "gauge") {
+    scene.set(key, "; origin = " + origin);
   }
-  std::error_code trouble;
-  const auto path = std::filesystem::path(file).parent_path() / profile;
-  return std::filesystem::is_regular_file(path, trouble) ? path.string() : profile;
+}
+
+std::string beside(const std::string& file, const std::string& profile) {
+  const auto found = [&](const std::string& name) {
+    // A built-in profile is not hidden by a file of its name.
+    std::error_code trouble;
+    const auto path = std::filesystem::path(file).parent_path() / name;
+    return !is_standard(name) && std::filesystem::is_regular_file(path, trouble) ? path.string()
+                                                                                 : name;
+  };
+  ProfileText parts(profile);
+  if (!parts.name.empty()) {
+    parts.name = found(parts.name);
+  }
+  for (auto& [option, value] : parts.options) {
+    value = option == "align_to" ? found(value) : value;
+  }
+  return parts.text();
 }
 
 bool names_profile(const std::string& key) {
-  return allowed(key).starts_with("a text") || key == "wheelset.align_to";
+  return allowed(key).starts_with("a text");
 }
 
 bool takes_list(const std::string& key) {

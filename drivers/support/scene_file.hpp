@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/numbers.hpp"
@@ -20,15 +21,27 @@ void set_value(Scene& scene, const std::string& key, const Value& value);
 /// load.left).
 void set_values(Scene& scene, const Values& values);
 
+/// A text that names a profile, taken apart as the library does: "worn.txt; smoothing = 5".
+struct ProfileText {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> options;
+
+  explicit ProfileText(const std::string& text);
+  [[nodiscard]] std::string option(const std::string& name, const std::string& otherwise) const;
+  [[nodiscard]] std::string text() const;
+};
+/// The file that such a text names; empty for a built-in profile.
+std::string file_of(const std::string& profile);
+
 /// All keys of a scene with their values. Keys of both sides that differ have none.
 Values values_in_force(const Scene& scene);
 /// Whether the text of a key that names a profile is that of a file, which is there.
-bool is_profile_file(const std::string& name);
+bool is_profile_file(const std::string& profile);
 /// The files among the profiles of a scene, each once.
 std::vector<std::string> profile_files(const Scene& scene);
 
-/// Profile files named in a scene file are looked up beside it: the path if one is there, or else
-/// the name as it is.
+/// Profile files named in a scene file, also in the option align_to, are looked up beside it: the
+/// path if one is there, or else the name as it is.
 std::string beside(const std::string& file, const std::string& profile);
 /// Whether the key's text names a profile, and whether a list is one value of the key, as the
 /// library's table of keys has it.
@@ -42,10 +55,13 @@ bool is_slices_file(const std::string& name);
 /// the wheel; `what` says where profiles do not: "in a mission".
 void refuse_varying(const Scene& scene, const std::string& what);
 
-/// A profile by its built-in name or from a file, as a scene with these keys reads it: smoothing,
-/// and of wheels taping line and shift. Throws Failure if it is of the other kind, or one that
-/// varies.
-Profile load_profile(const Scene& scene, std::int32_t kind, const std::string& name);
+/// A profile by its built-in name or from a file, with its options, as a scene with these keys
+/// reads it: the taping line of a wheel is that of the scene. Throws Failure if it is of the other
+/// kind, or one that varies.
+Profile load_profile(const Scene& scene, std::int32_t kind, const std::string& profile);
+/// Lets a scene use a profile loaded from this text; a rail is where its option origin says.
+void use_profile(Scene& scene, const std::string& key, const Profile& profile,
+                 const std::string& text);
 
 /// "key=value" taken apart; throws Failure if there is no key.
 struct Assignment {

@@ -153,10 +153,55 @@ std::string name_within(const std::string& prefix, const toml::key& key) {
   return name;
 }
 
+bool is_profile(const toml::table& table) {
+  return table.contains("file");
+}
+
+std::vector<std::string> profile_texts(const std::string& key, const toml::table& table) {
+  const auto values_of = [&](const std::string& name, const toml::node& node) {
+    const auto text = [&](const toml::node& value) {
+      if (!value.is_string() && !value.is_number()) {
+        throw Failure(key + '.' + name + " = " + text_of(node) + ": must be a number or a text");
+      }
+      return value.is_string() ? *value.value<std::string>() : text_of(value);
+    };
+    std::vector<std::string> values;
+    if (const toml::array* list = node.as_array(); list != nullptr && !list->empty()) {
+      std::transform(list->begin(), list->end(), std::back_inserter(values), text);
+    } else {
+      values.push_back(text(node));
+    }
+    return values;
+  };
+  std::vector<std::string> texts = values_of("file", *table.get("file"));
+  for (const auto& [option, node] : table) {
+    const std::string name(option.str());
+    if (name == "file") {
+      continue;
+    }
+    const std::vector<std::string> values = values_of(name, node);
+    if (values.size() > 1 && texts.size() > 1) {
+      throw Failure(key + '.' + name + " = " + text_of(node) + ": must be the only list in it");
+    }
+    texts.resize(std::max(texts.size(), values.size()), std::string(texts.front()));
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      texts[i] += "; " + name + " = " + values[std::min(i, values.size() - 1)];
+    }
+  }
+  return texts;
+}
+
 void flatten(const toml::table& table, const std::string& prefix, Values& values) {
   for (const auto& [key, node] : table) {
     const std::string name = name_within(prefix, key);
-    if (const toml::table* inner = node.as_table()) {
+    const toml::table* inner = node.as_table();
+    if (inner != nullptr && is_profile(*inner)) {
+      std::vector<std::string> texts = profile_texts(name, *inner);
+      if (texts.size() != 1) {
+        throw Failure(name + ": must be one profile; wrc_sweep takes lists of values");
+      }
+      values.insert_or_assign(name, std::move(texts.front()));
+    } else if (inner != nullptr) {
       flatten(*inner, name + '.', values);
     } else {
       values.insert_or_assign(name, value_of(name, node));

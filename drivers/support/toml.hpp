@@ -40,7 +40,14 @@ std::string lower_case(std::string_view text);
 /// Failure for one that is longer than any key could be.
 std::string name_within(const std::string& prefix, const toml::key& key);
 
-/// Adds the values of a table and of those within it, by names with points between.
+/// Whether a table is a profile with its options: {file = "worn.txt", smoothing = 5}.
+bool is_profile(const toml::table& table);
+/// The texts of such a table for the key, "worn.txt; smoothing = 5": one for each entry of a list,
+/// of which there may be one, of files or of an option.
+std::vector<std::string> profile_texts(const std::string& key, const toml::table& table);
+
+/// Adds the values of a table and of those within it, by names with points between; of a profile
+/// its text.
 void flatten(const toml::table& table, const std::string& prefix, Values& values);
 
 /// Reads one table; every key has to be asked for, so that a wrong one is refused. All throw

@@ -53,7 +53,7 @@ private:
 };
 
 std::string file_name(const std::string& profile) {
-  return is_standard(profile) ? profile : std::filesystem::path(profile).filename().string();
+  return std::filesystem::path(ProfileText(profile).name).filename().string();
 }
 
 /// Texts that quote the profiles' files, without their folders.
@@ -386,8 +386,7 @@ int main(int argc, char** argv) {
              "  wrc_report S1002 60E1\n"
              "  wrc_report worn.prw 54E3 --page worn.html --set load.both=100000\n");
   return app.run(argc, argv, [&] {
-    const auto file = [](const std::string& name) { return is_standard(name) ? "" : name; };
-    refuse_overwriting({options.page}, {file(options.wheel), file(options.rail)});
+    refuse_overwriting({options.page}, {file_of(options.wheel), file_of(options.rail)});
     require_gnuplot();
     const std::string page = report(options);
     write_whole(options.page, [&](std::ostream& out) { out << page; });

@@ -81,7 +81,7 @@ Position solved(Scene& scene, double lateral) {
 
 Pair::Pair(const std::string& wheel_name, const std::string& rail_name,
            std::vector<std::string> keys)
-    : assignments(std::move(keys)) {
+    : assignments(std::move(keys)), rail_text(rail_name) {
   for (const std::string& text : assignments) {
     const std::string key = split_assignment(text).key;
     for (const char* own : {"wheelset.wheel", "track.rail", "pose.lateral", "solve.side",
@@ -103,7 +103,7 @@ Scene Pair::scene() const {
   made.set("solve.accuracy", 1e-2);
   apply_assignments(made, assignments);
   made.set("wheelset.wheel", wheel);
-  made.set("track.rail", rail);
+  use_profile(made, "track.rail", rail, rail_text);
   return made;
 }
 

@@ -93,7 +93,7 @@ public:
         continue;
       }
       const toml::table* inner = node.as_table();
-      if (inner != nullptr && !inner->contains("from")) {
+      if (inner != nullptr && !inner->contains("from") && !is_profile(*inner)) {
         read(*inner, name + '.');
       } else {
         set(name, node);
@@ -177,8 +177,18 @@ private:
       refuse_unknown(key, node);
     }
     std::vector<Value> values;
-    if (const toml::table* range = node.as_table()) {
-      values = range_values(key, *range);
+    const toml::table* table = node.as_table();
+    if (table != nullptr && is_profile(*table)) {
+      for (const std::string& text : profile_texts(key, *table)) {
+        values.emplace_back(from_command_line_ ? text : beside(path_, text));
+      }
+      if (values.size() == 1) {
+        remove(key);
+        fixed_.insert_or_assign(key, values.front());
+        return;
+      }
+    } else if (table != nullptr) {
+      values = range_values(key, *table);
     } else if (const toml::array* array = node.as_array(); array && !is_one_value(key, *array)) {
       for (const toml::node& entry : *array) {
         values.push_back(one(key, entry));
@@ -277,7 +287,7 @@ std::vector<InputFile> inputs_of(InputFile file, const Study& study) {
   std::set<std::string> profiles;
   const auto take = [&](const std::string& key, const Value& value) {
     if (names_profile(key) && is_profile_file(text_of(value))) {
-      profiles.insert(text_of(value));
+      profiles.insert(ProfileText(text_of(value)).name);
     }
   };
   for (const auto& [key, value] : study.fixed) {

@@ -86,6 +86,14 @@ def refuse_doubled(words: Iterable[str]) -> None:
         found[key] = word
 
 
+def _profile_text(key: str, options: dict[str, Any]) -> str:
+    """A profile with its options, as one text: {"file": "a.txt", "smoothing": 5} is "a.txt; smoothing = 5"."""
+    if "file" not in options:
+        raise InvalidArgument(f"{key} = {options}: must have \"file\", beside options of the profile")
+    texts = [f"; {name} = {value}" for name, value in options.items() if name != "file"]
+    return os.fspath(options["file"]) + "".join(texts)
+
+
 class Scene(Handle):
     """Both wheels of a wheelset on their rails: inputs by key, solved by `solve`.
 
@@ -95,7 +103,8 @@ class Scene(Handle):
 
     Keyword arguments are keys (see `key_of`; `wrcontact.keys()` lists them with defaults, ranges and
     units). Values are numbers, texts, lists, `True` and `False` for "yes" and "no", `None` for
-    "none", and a Profile for a wheel or rail. mm, N, MPa, rad; x forward, y to the left, z up; the
+    "none", and a Profile for a wheel or rail, or a dict of its file and options, as in
+    `rail={"file": "worn.txt", "smoothing": 5}`, which is "worn.txt; smoothing = 5". mm, N, MPa, rad; x forward, y to the left, z up; the
     keys of `convention` change that, and are set first wherever they stand.
 
     A scene serves one thread at a time (Busy); different scenes are independent.
@@ -132,6 +141,8 @@ class Scene(Handle):
     def __setitem__(self, key: str, value: Any) -> None:
         key = key_of(key)
         code, given = encoded(key), value
+        if isinstance(value, dict):
+            given = value = _profile_text(key, value)
         if value is None or isinstance(value, (bool, np.bool_)):
             value = "none" if value is None else "yes" if value else "no"
         if isinstance(value, (int, float, np.number)):
@@ -147,8 +158,10 @@ class Scene(Handle):
             status = lib.wrc_scene_set_numbers(self._handle, code, pointer(numbers), numbers.size)
             given = numbers.copy()
         self._check(status)
-        # Values are read in the convention of their time, so every change of it counts.
-        times = len(self._given) + 1 if key.startswith("convention.") else 0
+        # Values are read in the convention of their time, so every change of it counts, and so do options
+        # of the profile set before.
+        adds = isinstance(given, str) and given.lstrip().startswith(";")
+        times = len(self._given) + 1 if adds or key.startswith("convention.") else 0
         self._given.pop((key, times), None)
         self._given[key, times] = given
 

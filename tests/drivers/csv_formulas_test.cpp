@@ -52,10 +52,10 @@ TEST_F(CsvFormulasOfAStudy, AreAbsentFromItsTableAndTheConicityTable) {
   std::string list;
   for (const std::string& name : names) {
     ASSERT_EQ(run(WRC_PROFILE_PROGRAM, "S1002 --convert '" + name + "'").exit_code, 0);
-    list += (list.empty() ? "" : ", ") + ('"' + name + '"');
+    list += (list.empty() ? "" : ", ") + ('"' + name + "; origin = tape\"");
   }
   list.replace(list.find('\t'), 1, "\\t");
-  write("s.toml", "[wheelset]\nprofile_origin = \"tape\"\nwheel = [" + list +
+  write("s.toml", "[wheelset]\nwheel = [" + list +
                       ", \"=missing\"]\n[pose]\nlateral = [-1, 0, 1]\n[load]\nboth = 0\n"
                       "[study]\nresults = [\"rolling_radius_difference\", "
                       "\"left.rigid_contact.angle\", \"right.rigid_contact.angle\"]\n" +

@@ -235,6 +235,28 @@ TEST_F(WrcSweep, AListOfOneValueDoesNotVary) {
   EXPECT_EQ(line_count(read("two/s.csv")), 4);
 }
 
+TEST_F(WrcSweep, VariesOptionsOfAProfile) {
+  ASSERT_EQ(run(WRC_PROFILE_PROGRAM, "S1002 --convert 'my wheel=1.txt'").exit_code, 0);
+  write("s.toml", "[wheelset]\nwheel = {file = \"my wheel=1.txt\", origin = \"tape\", smoothing = "
+                  "[0.0, 8.0]}\n[load]\nboth = 0\n");
+  (void)files("s.toml", "o");
+  EXPECT_EQ(line_count(read("o/s.csv")), 3);
+  EXPECT_EQ(entry("o/s.csv", 1, "wheelset.wheel"),
+            "my wheel=1.txt; origin = tape; smoothing = 8.0");
+  (void)files("s.toml --set 'wheelset.wheel=[\"S1002\", \"my wheel=1.txt; smoothing = 3\"]'",
+              "two");
+  EXPECT_EQ(entry("two/s.csv", 1, "wheelset.wheel"), "my wheel=1.txt; smoothing = 3");
+  (void)files(
+      "s.toml --set 'wheelset.wheel={file = [\"S1002\", \"my wheel=1.txt\"], smoothing = 0}'",
+      "three");
+  EXPECT_EQ(entry("three/s.csv", 1, "wheelset.wheel"), "my wheel=1.txt; smoothing = 0");
+  EXPECT_EQ(run("s.toml --set 'wheelset.wheel={file = \"S1002\", smoothing = 500}'").exit_code, 1);
+  run(WRC_CASE_PROGRAM, "--set 'wheelset.wheel={file = \"S1002\", smoothing = [1, 2]}'")
+      .expect_refusal({"wheelset.wheel", "must be one profile"});
+  run(WRC_CASE_PROGRAM, "--set 'wheelset.wheel={file = \"my wheel=1.txt\", slip = 2}'")
+      .expect_refusal({"slip = 2", "options must be among smoothing"});
+}
+
 TEST_F(WrcSweep, ProgressIsShownOnRequest) {
   write("s.toml", "[pose]\nlateral = [0, 1]\n[load]\nboth = 0\n");
   EXPECT_EQ(run("s.toml").error, "") << "stderr is no terminal";

@@ -181,10 +181,8 @@ DrawnScene VaryingLists::scene(std::uint64_t seed) const {
   const bool by_rail = draw.chance(0.7);
   if (by_rail) {
     const List& list = one_of(rails_);
-    scene.set("track.rail", list.path);
-    if (list.origin != 0.0) {
-      scene.set("track.rail_origin", list.origin);
-    }
+    scene.set("track.rail",
+              list.path + (list.origin != 0.0 ? "; origin = " + std::to_string(list.origin) : ""));
     scene.set("pose.longitudinal", draw.between(list.begin - 20.0, list.end + 20.0));
   }
   if (!by_rail || draw.chance(0.4)) {
