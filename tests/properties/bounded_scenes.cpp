@@ -9,9 +9,9 @@
 // 500 MB; the folder takes scene files of those with profiles made of points. At the end: counts by
 // status, failures, results that are not finite, scenes that take more than 30 times the median of
 // their kind, the slowest scene and the one with the most memory and elements. A kind of scenes has
-// the same decade of accuracy, and derivatives, curves and profiles made of points or none; refused
-// ones do not count. Exits with 1 on failures, to which time and memory do not count. A single
-// scene is solved in this process, for a debugger.
+// the same third of a decade of accuracy, and derivatives, curves and profiles made of points or
+// none; refused ones do not count. Exits with 1 on failures, to which time and memory do not count.
+// A single scene is solved in this process, for a debugger.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -265,7 +265,10 @@ std::string kind_of(const DrawnScene& drawn) {
   if (drawn.has_points()) { // read and solved along other lines for the spread of results
     kind += "points, ";
   }
-  return kind + (accuracy < 1e-2 ? "below 1e-2" : "1e-2 and above");
+  const double third = std::floor(3.0 * std::log10(accuracy)); // of a decade
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "from %.2g on", std::pow(10.0, third / 3.0));
+  return kind + text.data();
 }
 
 /// Those that take much longer than the median of their kind.
