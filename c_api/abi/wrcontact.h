@@ -534,7 +534,8 @@ WRC_API const char* wrc_table_error(const wrc_table* table);
  * it is not NULL, is called now and then by the calling thread with `context` and the finished
  * fraction, must not throw, and ends the build by any result but 0. On failure the handle keeps the
  * table that it had. WRC_INVALID_ARGUMENT, WRC_NO_CONTACT where the range of `lateral` reaches
- * beyond the rail, WRC_NO_RESULT if `progress` stops it, those of `resume_file`. Since 0.3.
+ * beyond the rail, WRC_NO_RESULT if `progress` stops it, WRC_FILE_MALFORMED and
+ * WRC_FILE_UNREADABLE of `resume_file`. Since 0.3.
  */
 WRC_API wrc_status wrc_table_build(wrc_table* table, wrc_scene* scene,
                                    const wrc_table_options* options,
