@@ -47,7 +47,9 @@ Slip<Real> slip_of(const State<Real>& state, const WheelsetMotion& wheelset,
              state.vertical_velocity - rail.height} +
       cross(turning, arm) - cross(rail_turning, rail_arm);
   if (wheelset.follows_surface) {
-    velocity.z = velocity.z - dot(velocity, patch.normal) / patch.normal.z;
+    const Vector travel = Vector{state.speed * (1.0 - curvature * state.lateral), zero, zero} +
+                          cross(rolling + Vector{zero, zero, curvature * state.speed}, arm);
+    velocity.z = velocity.z - dot(travel, patch.normal) / patch.normal.z;
   }
   Slip<Real> slip;
   const Vector& ahead = patch.longitudinal;

@@ -22,8 +22,9 @@
 ///
 /// Where the rail or the wheel varies, a wheelset that does not move vertically would close or open
 /// the contact: on a slope e with the speed V sin(e). Unless v_z is given, the wheel is taken to
-/// follow the surface: v gets the vertical velocity at which it has no component along the normal.
-/// Up a slope creepage is then V/cos(e) less the speed of rolling.
+/// follow the surface: v gets the vertical velocity at which travel and rolling together have no
+/// component along the normal, as they have none where nothing varies. Up a slope creepage is then
+/// V/cos(e) less the speed of rolling.
 ///
 /// Left-hand frame of the side. Units mm, s, rad. Thread rule: pure functions.
 ///

@@ -100,8 +100,7 @@ RailSurface::RailSurface(std::shared_ptr<const SlicedSurface> slices, const Curv
   along_ = slices_->along().begin;
   std::vector<Prism> prisms;
   for (const ConstantStretch& where : slices_->constant_stretches()) {
-    RailSurface prism = posed({}, where.along.begin);
-    prism.slices_.reset();
+    RailSurface prism = posed({}, where.along.begin).as_prism();
     prism.is_placed_by_axis_ = is_placed_by_axis_;
     prisms.push_back({where, std::move(prism)});
   }
@@ -185,6 +184,13 @@ const RailSurface* RailSurface::prism_at(double along, const WheelSurface& wheel
     }
   }
   return nullptr;
+}
+
+RailSurface RailSurface::as_prism() const {
+  RailSurface prism = *this;
+  prism.slices_.reset();
+  prism.prisms_.reset();
+  return prism;
 }
 
 std::shared_ptr<const RailSurface> posed(const std::shared_ptr<const RailSurface>& rail,

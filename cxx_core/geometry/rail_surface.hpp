@@ -82,6 +82,8 @@ public:
   /// The prismatic rail that a wheel meets at a place along; none where it varies within reach.
   [[nodiscard]] const RailSurface* prism_at(double along, const WheelSurface& wheel,
                                             double yaw) const;
+  /// The prismatic rail with the section at the wheelset.
+  [[nodiscard]] RailSurface as_prism() const;
   [[nodiscard]] RailSurface displaced(const RailDisplacement& displacement) const {
     return posed(displacement, along_);
   }

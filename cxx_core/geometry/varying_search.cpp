@@ -12,12 +12,12 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// Distance of rows, mm.
+/// Greatest distance of rows, mm.
 /// origin: reasoned: the node distance of profile curves (contact_search.hpp).
 constexpr double row_spacing = 0.5;
-/// The coarse scan takes every fourth row, and places along it this far apart, mm.
+/// The coarse scan takes rows up to this far apart, and places along them, mm.
 /// origin: reasoned: slices of noses and flats are that far apart.
-constexpr std::ptrdiff_t rows_apart = 4;
+constexpr double coarse_row_spacing = 2.0;
 constexpr double coarse_step = 5.0;
 /// Chains are followed up to this height above the least distance, mm.
 /// origin: reasoned: more than ten times as deep as wheels sink under any load.
@@ -48,19 +48,126 @@ constexpr double row_tolerance = 1e-9;
 /// origin: reasoned: far above the tolerance, far below the step of the scan.
 constexpr double same_chain = 1e-3;
 
+/// Of the circle through a place beside its lowest point.
+double curvature_of(double length, double height) {
+  return 2.0 * height / (length * length + height * height);
+}
+
+/// Along a row to one side of a least distance: how far it is to where the distance is larger by
+/// the typical depth. Where a body ends before that, or the distance falls again, to another least
+/// one, how far it is on the circle through that place: as it sinks below the depth, this goes on
+/// without a jump.
+double half_length(GapField& field, const VaryingSearch::Spot& spot, double sign) {
+  struct Place {
+    double length;
+    double slope;  ///< away from the least distance
+    double height; ///< over it, less the typical depth
+  };
+  const auto on_circle = [&](const Place& through) {
+    const double height = through.height + typical_depth;
+    const double curvature =
+        through.length > least_half ? curvature_of(through.length, height) : spot.point.gap.xx;
+    return std::sqrt(std::max(0.0, 2.0 / std::max(curvature, least_curvature) - typical_depth) *
+                     typical_depth);
+  };
+  const auto at = [&](double length) -> std::optional<Place> {
+    const auto point = field.at(spot.x + sign * length, spot.y);
+    if (!point) {
+      return std::nullopt;
+    }
+    return Place{length, sign * point->gap.x,
+                 point->gap.value - spot.point.gap.value - typical_depth};
+  };
+  Place inside{0.0, std::max(row_tolerance * spot.point.gap.xx, least_slope), -typical_depth};
+  Place outside = inside;
+  double step = longest_step;
+  while (outside.height < 0.0 && outside.slope > 0.0) {
+    inside = outside;
+    auto next = at(inside.length + step);
+    while (!next && step > row_tolerance) { // at the end of a body, halved ever after
+      step *= 0.5;
+      next = at(inside.length + step);
+    }
+    if (!next || inside.length + step > longest_half) {
+      return on_circle(inside);
+    }
+    outside = *next;
+  }
+  if (outside.slope <= 0.0) {
+    Place top = outside;
+    RootBracket slopes({inside.length, inside.slope}, {outside.length, outside.slope});
+    slopes.narrow(row_tolerance, [&](double length) -> std::optional<double> {
+      const auto found = at(length);
+      if (!found) {
+        return std::nullopt;
+      }
+      top = *found;
+      return found->slope;
+    });
+    if (top.height < 0.0) {
+      return on_circle(top);
+    }
+    outside = top;
+  }
+  // Newton's method within the bracket, from where a secant meets the depth.
+  double length = inside.length + (outside.length - inside.length) * inside.height /
+                                      (inside.height - outside.height);
+  for (int step = 0; step < most_steps; ++step) {
+    const auto found = at(length);
+    if (!found) {
+      break;
+    }
+    (found->height < 0.0 ? inside : outside) = *found;
+    double next = length - found->height / found->slope;
+    if (!(next > inside.length && next < outside.length)) {
+      next = 0.5 * (inside.length + outside.length);
+    }
+    if (std::abs(next - length) <= row_tolerance) {
+      return next;
+    }
+    length = next;
+  }
+  return length;
+}
+
 } // namespace
 
 VaryingSearch::VaryingSearch(const WheelSurface& wheel, const RailSurface& rail)
-    : wheel_(wheel), rail_(rail) {}
+    : wheel_(wheel), rail_(rail), round_(wheel.as_round()), prism_(rail.as_prism()) {}
 
-double VaryingSearch::row(std::ptrdiff_t index) const {
-  return pose_.lateral + wheel_.taping_line() + wheel_.graph().lateral_begin() +
-         row_spacing * static_cast<double>(index);
+/// Where the locus turns back under yaw, its rows are those that it reached before.
+void VaryingSearch::place_rows() {
+  rows_.clear();
+  const LocusPose locus(pose_);
+  const ProfileNodes& nodes = wheel_.nodes();
+  for (std::size_t node = 0; node < nodes.lateral.size(); ++node) {
+    bool exists = false;
+    const LocusAngle angle = locus.angle_at(nodes.slope[node], exists);
+    if (!exists) {
+      continue;
+    }
+    const double rho = wheel_.radius() + nodes.height[node];
+    const Vector3 place = locus.rotation.to_track(
+        {rho * angle.sine, wheel_.taping_line() + nodes.lateral[node], -rho * angle.cosine});
+    const double y = place.y + pose_.lateral;
+    if (!rows_.empty() && !(y > rows_.back() + same_chain)) {
+      continue;
+    }
+    if (!rows_.empty()) {
+      const double last = rows_.back();
+      const double parts = std::ceil((y - last) / row_spacing - same_chain);
+      for (double part = 1.0; part < parts; ++part) {
+        rows_.push_back(std::lerp(last, y, part / parts));
+      }
+    }
+    rows_.push_back(y);
+  }
 }
 
 /// Newton's method within a bracket, down from x.
-std::optional<VaryingSearch::Spot> VaryingSearch::least_in_row(double x, double y) {
-  auto point = field_->at(x, y);
+std::optional<VaryingSearch::Spot> VaryingSearch::least_in_row(GapField& field, double x,
+                                                               double y) {
+  auto point = field.at(x, y);
   if (!point) {
     return std::nullopt;
   }
@@ -78,13 +185,13 @@ std::optional<VaryingSearch::Spot> VaryingSearch::least_in_row(double x, double 
     if (!(std::abs(move) > row_tolerance)) {
       return Spot{x, y, *point};
     }
-    auto next = field_->at(x + move, y);
+    auto next = field.at(x + move, y);
     while (!next) {
       move *= 0.5;
       if (!(std::abs(move) > row_tolerance)) {
         return Spot{x, y, *point, true, true};
       }
-      next = field_->at(x + move, y);
+      next = field.at(x + move, y);
     }
     x += move;
     point = next;
@@ -92,14 +199,16 @@ std::optional<VaryingSearch::Spot> VaryingSearch::least_in_row(double x, double 
   return std::nullopt;
 }
 
-/// Local minima along x of every fourth row.
+/// Local minima along x of some rows.
 std::vector<VaryingSearch::Spot> VaryingSearch::coarse_minima() {
-  const CurveGraph& profile = wheel_.graph();
   std::vector<double> rows;
-  for (std::ptrdiff_t index = 0;
-       row(index) <= row(0) + profile.lateral_end() - profile.lateral_begin();
-       index += rows_apart) {
-    rows.push_back(row(index));
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (rows.empty() || i + 1 == rows_.size() || rows_[i + 1] - rows.back() > coarse_row_spacing) {
+      rows.push_back(rows_[i]);
+    }
+  }
+  if (rows.empty()) {
+    return {};
   }
   const auto reach = std::ceil(steepest_along * wheel_.radius() / coarse_step);
   const auto places = static_cast<std::size_t>(2.0 * reach) + 1;
@@ -119,7 +228,7 @@ std::vector<VaryingSearch::Spot> VaryingSearch::coarse_minima() {
       const double after = i + 1 < places ? gaps[(i + 1) * rows.size() + k] : unbounded;
       if (here <= before && here < after && here < highest) {
         field_->restart();
-        if (auto spot = least_in_row(x_of(i), rows[k])) {
+        if (auto spot = least_in_row(*field_, x_of(i), rows[k])) {
           minima.push_back(*spot);
         }
       }
@@ -140,21 +249,22 @@ bool VaryingSearch::is_known(const Spot& spot) const {
 }
 
 /// Follows a chain from its last row, to where it ends or is `highest`.
-void VaryingSearch::track(Chain& chain, std::ptrdiff_t from, int direction, double highest) {
-  for (std::ptrdiff_t index = from + direction;; index += direction) {
+void VaryingSearch::track(Chain& chain, std::size_t from, int direction, double highest) {
+  for (auto index = static_cast<std::ptrdiff_t>(from) + direction;
+       index >= 0 && index < std::ssize(rows_); index += direction) {
     const Spot before = chain.rows.back();
     if (before.point.gap.value > highest) {
       return;
     }
-    const double y = row(index);
-    auto next = least_in_row(before.x, y);
+    const double y = rows_[static_cast<std::size_t>(index)];
+    auto next = least_in_row(*field_, before.x, y);
     if (!next) { // at the end of a body: its edge
       double inside = before.y;
       double outside = y;
       std::optional<Spot> edge;
       while (std::abs(outside - inside) > row_tolerance) {
         const double middle = 0.5 * (inside + outside);
-        auto spot = least_in_row(before.x, middle);
+        auto spot = least_in_row(*field_, before.x, middle);
         (spot ? inside : outside) = middle;
         if (spot) {
           edge = spot;
@@ -177,7 +287,7 @@ VaryingSearch::Spot VaryingSearch::between(const Spot& low, const Spot& high) {
   Spot found = low.point.gap.value <= high.point.gap.value ? low : high;
   RootBracket bracket({low.y, low.point.gap.y}, {high.y, high.point.gap.y});
   bracket.narrow(position_tolerance, [&](double y) -> std::optional<double> {
-    const auto spot = least_in_row(found.x, y);
+    const auto spot = least_in_row(*field_, found.x, y);
     if (!spot) {
       return std::nullopt;
     }
@@ -215,6 +325,8 @@ std::vector<VaryingSearch::Spot> VaryingSearch::minima_of(const Chain& chain) {
 bool VaryingSearch::try_scan(const Pose& pose) {
   pose_ = pose;
   field_.emplace(wheel_, rail_, pose);
+  plain_.emplace(round_, prism_, pose);
+  place_rows();
   chains_.clear();
   minima_.clear();
   const std::vector<Spot> minima = coarse_minima();
@@ -226,7 +338,8 @@ bool VaryingSearch::try_scan(const Pose& pose) {
     if (start.point.gap.value > highest || is_known(start)) {
       continue;
     }
-    const auto index = static_cast<std::ptrdiff_t>(std::lround((start.y - row(0)) / row_spacing));
+    const auto index =
+        static_cast<std::size_t>(std::ranges::lower_bound(rows_, start.y) - rows_.begin());
     Chain chain{{start}};
     field_->restart();
     track(chain, index, -1, highest);
@@ -256,100 +369,36 @@ bool VaryingSearch::try_scan(const Pose& pose) {
   return true;
 }
 
-/// Along a row to one side of a least distance: how far it is to where the distance is larger by
-/// the typical depth. Where a body ends before that, or the distance falls again, to another least
-/// one, how far it is on the parabola through that place: as it sinks below the depth, this goes on
-/// without a jump.
-double VaryingSearch::half_length(const Spot& spot, double sign) {
-  struct Place {
-    double length;
-    double slope;  ///< away from the least distance
-    double height; ///< over it, less the typical depth
-  };
-  const auto on_parabola = [&](const Place& through) {
-    const double curvature = through.length > least_half ? 2.0 * (through.height + typical_depth) /
-                                                               (through.length * through.length)
-                                                         : spot.point.gap.xx;
-    return std::sqrt(2.0 * typical_depth / std::max(curvature, least_curvature));
-  };
-  const auto at = [&](double length) -> std::optional<Place> {
-    const auto point = field_->at(spot.x + sign * length, spot.y);
-    if (!point) {
-      return std::nullopt;
-    }
-    return Place{length, sign * point->gap.x,
-                 point->gap.value - spot.point.gap.value - typical_depth};
-  };
-  Place inside{0.0, std::max(row_tolerance * spot.point.gap.xx, least_slope), -typical_depth};
-  Place outside = inside;
-  double step = longest_step;
-  while (outside.height < 0.0 && outside.slope > 0.0) {
-    inside = outside;
-    auto next = at(inside.length + step);
-    while (!next && step > row_tolerance) { // at the end of a body, halved ever after
-      step *= 0.5;
-      next = at(inside.length + step);
-    }
-    if (!next || inside.length + step > longest_half) {
-      return on_parabola(inside);
-    }
-    outside = *next;
-  }
-  if (outside.slope <= 0.0) {
-    Place top = outside;
-    RootBracket slopes({inside.length, inside.slope}, {outside.length, outside.slope});
-    slopes.narrow(row_tolerance, [&](double length) -> std::optional<double> {
-      const auto found = at(length);
-      if (!found) {
-        return std::nullopt;
-      }
-      top = *found;
-      return found->slope;
-    });
-    if (top.height < 0.0) {
-      return on_parabola(top);
-    }
-    outside = top;
-  }
-  // Newton's method within the bracket, from where a secant meets the depth.
-  double length = inside.length + (outside.length - inside.length) * inside.height /
-                                      (inside.height - outside.height);
-  for (int step = 0; step < most_steps; ++step) {
-    const auto found = at(length);
-    if (!found) {
-      break;
-    }
-    (found->height < 0.0 ? inside : outside) = *found;
-    double next = length - found->height / found->slope;
-    if (!(next > inside.length && next < outside.length)) {
-      next = 0.5 * (inside.length + outside.length);
-    }
-    if (std::abs(next - length) <= row_tolerance) {
-      return next;
-    }
-    length = next;
-  }
-  return length;
+VaryingSearch::HalfLengths VaryingSearch::half_lengths(GapField& field, const Spot& spot) {
+  return {half_length(field, spot, -1.0), half_length(field, spot, 1.0)};
 }
 
+/// Along the row: of the round wheel below the axle, times that of the distance over that of the
+/// distance between this wheel and the prismatic rail.
 DistanceSample VaryingSearch::sample(const Spot& spot, bool is_near) {
-  const Graph& gap = spot.point.gap;
   const Graph& rail = spot.point.rail;
-  double curvature = std::max(gap.xx, least_curvature); // where a body ends, any
-  double middle = spot.x;
-  if (is_near && !spot.at_end) {
-    const double before = half_length(spot, -1.0);
-    const double after = half_length(spot, 1.0);
-    const double mean = 0.5 * (before + after);
-    curvature = 2.0 * typical_depth / (mean * mean);
-    middle += 0.5 * (after - before);
+  DistanceSample result{{{spot.x, spot.y, rail.value + spot.point.gap.value},
+                         spot.point.wheel_lateral,
+                         std::max(spot.point.gap.xx, least_curvature)}, // where a body ends, any
+                        spot.point.gap.value,
+                        rail.y,
+                        rail.x};
+  if (!is_near || spot.at_end) {
+    return result;
   }
-  const double cosine = 1.0 / std::sqrt(1.0 + rail.y * rail.y);
-  const double z = rail.value + gap.value;
-  return {{{middle, spot.y, z}, spot.point.wheel_lateral, curvature * cosine},
-          gap.value,
-          rail.y,
-          rail.x};
+  LocusPlace& place = result.wheel;
+  const HalfLengths here = half_lengths(*field_, spot);
+  place.position.x += here.shift();
+  place.normal_curvature = curvature_of(here.mean(), typical_depth);
+  if (const auto plain = least_in_row(*plain_, spot.x, spot.y)) {
+    const HalfLengths there = half_lengths(*plain_, *plain);
+    const double slope = wheel_.graph().heights().at(plain->point.wheel_lateral).slope;
+    place.position.x -= there.shift();
+    place.normal_curvature /= curvature_of(there.mean(), typical_depth) *
+                              (wheel_.radius() + plain->point.wheel_height) *
+                              std::sqrt(1.0 + slope * slope);
+  }
+  return result;
 }
 
 ContactCandidate VaryingSearch::candidate(const Spot& spot) const {
@@ -358,7 +407,6 @@ ContactCandidate VaryingSearch::candidate(const Spot& spot) const {
   ContactCandidate result;
   result.wheel.position = {spot.x, spot.y, rail.value + spot.point.gap.value};
   result.wheel.lateral = spot.point.wheel_lateral;
-  result.wheel.normal_curvature = spot.point.gap.xx * cosine;
   result.wheel.tangent_y = cosine;
   result.wheel.tangent_z = rail.y * cosine;
   result.wheel.height = spot.point.wheel_height;
@@ -376,22 +424,16 @@ std::vector<ContactScan> VaryingSearch::scans(double near_tolerance) {
   const double least = least_.point.gap.value;
   for (std::size_t k = 0; k < chains_.size(); ++k) {
     ContactScan scan;
+    scan.yaw_tangent = std::tan(pose_.yaw);
     for (const Spot& spot : minima_[k]) {
       if (scan.candidates.empty() || spot.point.gap.value <= least + near_tolerance) {
         scan.candidates.push_back(candidate(spot));
+        scan.candidates.back().wheel.normal_curvature = sample(spot, true).wheel.normal_curvature;
       }
     }
     field_->restart();
     for (const Spot& spot : chains_[k].rows) {
       scan.samples.push_back(sample(spot, spot.point.gap.value <= least + near_height));
-    }
-    for (ContactCandidate& found : scan.candidates) { // as the samples beside it
-      const auto near = std::min_element(
-          scan.samples.begin(), scan.samples.end(), [&](const auto& one, const auto& other) {
-            return std::abs(one.wheel.position.y - found.wheel.position.y) <
-                   std::abs(other.wheel.position.y - found.wheel.position.y);
-          });
-      found.wheel.normal_curvature = near->wheel.normal_curvature;
     }
     scans.push_back(std::move(scan));
   }
@@ -402,7 +444,7 @@ std::optional<VaryingSearch::Spot> VaryingSearch::follow(const Pose& pose, const
   pose_ = pose;
   field_.emplace(wheel_, rail_, pose);
   double y = from.y;
-  auto spot = least_in_row(from.x, y);
+  auto spot = least_in_row(*field_, from.x, y);
   for (int step = 0; spot && step < most_steps; ++step) {
     const Graph& gap = spot->point.gap;
     const double second = gap.yy - gap.xy * gap.xy / gap.xx; // of the row's least distance
@@ -411,7 +453,7 @@ std::optional<VaryingSearch::Spot> VaryingSearch::follow(const Pose& pose, const
       return spot;
     }
     y += move;
-    spot = least_in_row(spot->x, y);
+    spot = least_in_row(*field_, spot->x, y);
   }
   return std::nullopt;
 }

@@ -116,6 +116,13 @@ std::shared_ptr<const WheelSurface> WheelSurface::round_at(double pitch, double 
   return nullptr;
 }
 
+WheelSurface WheelSurface::as_round() const {
+  WheelSurface round = *this;
+  round.slices_.reset();
+  round.round_.reset();
+  return round;
+}
+
 std::optional<PartEnd> WheelSurface::nearest_end(double x) const {
   std::optional<PartEnd> end =
       slices_ != nullptr ? slices_->nearest_end(pitch_ + std::asin(x / radius_)) : std::nullopt;

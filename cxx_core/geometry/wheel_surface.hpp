@@ -114,6 +114,8 @@ public:
   [[nodiscard]] double touch_angle(double yaw, double rise) const;
   /// The round wheel that a rail meets at a pitch; none where it varies within `touch_angle`.
   [[nodiscard]] std::shared_ptr<const WheelSurface> round_at(double pitch, double yaw) const;
+  /// The round wheel with the section that points down.
+  [[nodiscard]] WheelSurface as_round() const;
   /// The profile at a point in the wheelset's frame, Y counted from the taping line: height over
   /// (theta, lateral). None beside the parts of a wheel; one without parts is clamped.
   [[nodiscard]] std::optional<GraphPoint> over(const Vector3& point) const;

@@ -12,7 +12,7 @@ namespace wrc {
 namespace {
 
 /// What a parabola leaves of values with these weights, squared, in sum.
-double left_by_parabola(std::span<const double> values, std::span<const double> weights) {
+double left_by_parabola(std::vector<double> left, std::span<const double> weights) {
   const auto product = [&weights](const std::vector<double>& one, const std::vector<double>& two) {
     double sum = 0.0;
     for (std::size_t i = 0; i < one.size(); ++i) {
@@ -27,10 +27,9 @@ double left_by_parabola(std::span<const double> values, std::span<const double> 
       from[i] -= share * power[i];
     }
   };
-  std::vector<double> left(values.begin(), values.end());
   std::vector<std::vector<double>> powers; // orthogonal ones
   for (int degree = 0; degree <= 2; ++degree) {
-    std::vector<double> power(values.size());
+    std::vector<double> power(left.size());
     for (std::size_t i = 0; i < power.size(); ++i) {
       power[i] = std::pow(static_cast<double>(i), degree);
     }
@@ -45,7 +44,8 @@ double left_by_parabola(std::span<const double> values, std::span<const double> 
 
 } // namespace
 
-double bend_along(const Grid& grid, std::span<const double> distance) {
+double bend_along(const Grid& grid, std::span<const double> distance,
+                  std::span<const double> plain) {
   const double deepest = -*std::min_element(distance.begin(), distance.end());
   if (!(deepest > 0.0)) {
     return 0.0;
@@ -53,13 +53,15 @@ double bend_along(const Grid& grid, std::span<const double> distance) {
   double left = 0.0;
   double all = 0.0;
   for (std::size_t row = 0; row < grid.lateral_count; ++row) {
-    const auto values = distance.subspan(row * grid.longitudinal_count, grid.longitudinal_count);
+    std::vector<double> values;
     std::vector<double> weights;
-    for (const double value : values) {
-      weights.push_back(std::max(0.0, -value));
+    for (std::size_t i = row * grid.longitudinal_count; i < (row + 1) * grid.longitudinal_count;
+         ++i) {
+      values.push_back(distance[i] - plain[i]);
+      weights.push_back(std::max(0.0, -distance[i]));
       all += weights.back();
     }
-    left += left_by_parabola(values, weights);
+    left += left_by_parabola(std::move(values), weights);
   }
   return std::min(std::sqrt(left / all) / (whole_bend * deepest), 1.0);
 }

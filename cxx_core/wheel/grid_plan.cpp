@@ -233,9 +233,13 @@ void set_bends(GridSolution& patches, const PosedPair& pair) {
   if (WheelAndRail{pair.wheel, pair.rail}.is_prismatic_along(along_track)) {
     return;
   }
+  const WheelSurface round = pair.wheel.as_round();
+  const RailSurface prism = pair.rail.as_prism();
+  const PosedPair plain{round, prism, pair.pose, pair.vertical};
   for (Patch& patch : patches.patches) {
     const Grid grid = grid_over(potential_area(patch, pair.rail), bend_rows, bend_columns);
-    patch.bend = bend_along(grid, sample_undeformed_distance(pair, patch.frame, grid));
+    patch.bend = bend_along(grid, sample_undeformed_distance(pair, patch.frame, grid),
+                            sample_undeformed_distance(plain, patch.frame, grid));
   }
 }
 

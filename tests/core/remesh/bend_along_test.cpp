@@ -21,7 +21,7 @@ double bend_of(const std::function<double(double, double)>& gap) {
       distance.push_back(gap(grid.longitudinal(j), grid.lateral(i)));
     }
   }
-  return bend_along(grid, distance);
+  return bend_along(grid, distance, std::vector<double>(distance.size()));
 }
 
 double parabola(double x, double y) {

@@ -96,6 +96,27 @@ TEST_F(VaryingScene, SlicesThatAreEqualNearbyGiveTheProfileToTheAccuracy) {
   }
 }
 
+/// The flat begins within reach of the search, far from the contact: both searches find the same.
+TEST_F(VaryingScene, AFlatThatIsNotTouchedChangesNoForce) {
+  const std::string wheel = list("beside.slcw", "S1002", places_every(-0.2, 0.2, 0.005),
+                                 [](double theta) { return -rounded_depth(theta, 0.6, 0.06); });
+  for (const double lateral : {-2.0, 0.0, 1.5, 3.0}) {
+    const auto solved = [&](double pitch) {
+      Scene scene = scene_on("60E1", wheel);
+      scene.lateral = lateral;
+      scene.pitch = pitch;
+      return *solve_scene(scene).left;
+    };
+    const SceneWheel round = solved(2.0);
+    const SceneWheel beside = solved(0.17);
+    ASSERT_TRUE(round.details.pair().is_prismatic_along(along_track));
+    ASSERT_FALSE(beside.details.pair().is_prismatic_along(along_track));
+    EXPECT_NEAR(beside.depth, round.depth, 1e-7 * round.depth);
+    EXPECT_LT(norm(beside.force - round.force), 1e-9 * norm(round.force));
+    EXPECT_LT(norm(beside.total->force - round.total->force), 1e-6 * norm(round.force));
+  }
+}
+
 TEST_F(VaryingScene, MirrorsToTheLastBit) {
   Scene one = scene_on(wavy_rail(), wheel_with_flat());
   one.left.displacement = {0.5, -0.3, 0.005};
