@@ -7,6 +7,7 @@
 #include <iostream>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "reports/warning_summary.hpp"
 #include "support/output_file.hpp"
@@ -79,7 +80,14 @@ void print_facts(const wrcontact::Table& table) {
 /// One line that grows, on a terminal and in a file alike.
 class Tenths {
 public:
+  /// `resumed`: the file of an unfinished table, named once it has been read; empty: none.
+  explicit Tenths(std::string resumed) : resumed_(std::move(resumed)) {}
+
   bool operator()(double fraction) {
+    if (!resumed_.empty()) {
+      std::cerr << "going on from " << resumed_ << '\n';
+      resumed_.clear();
+    }
     const int tenths = static_cast<int>(std::floor(10.0 * fraction + 1e-9));
     for (; shown_ < tenths; ++shown_) {
       std::cerr << 10 * (shown_ + 1) << (shown_ == 9 ? " %\n" : " % ") << std::flush;
@@ -88,6 +96,7 @@ public:
   }
 
 private:
+  std::string resumed_;
   int shown_ = 0;
 };
 
@@ -150,11 +159,9 @@ int main(int argc, char** argv) {
     print_warnings(scene);
     const std::string unfinished =
         path + ".unfinished"; // also tells early that nothing can be written
-    if (std::filesystem::exists(unfinished)) {
-      std::cerr << "going on from " << unfinished << '\n';
-    }
+    const bool resumes = std::filesystem::exists(unfinished);
     options.resume_file = unfinished.c_str();
-    table.build(scene, options, Tenths());
+    table.build(scene, options, Tenths(resumes ? unfinished : ""));
     table.save(path);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     print_facts(table);

@@ -37,6 +37,7 @@ TEST_F(WrcTable, GoesOnFromWhatIsFinished) {
   const Outcome outcome = run("a.table --lateral 1 --load 1.2e5 --fineness 0.2");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.error.find("remove it to begin again"), std::string::npos) << outcome.error;
+  EXPECT_EQ(outcome.error.find("going on"), std::string::npos) << outcome.error;
   EXPECT_EQ(read("a.table.unfinished"), "of something else");
 }
 
