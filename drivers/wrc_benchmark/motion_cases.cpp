@@ -104,7 +104,7 @@ Row run(const Motion& motion, const std::string& method, double accuracy,
   std::vector<double> iterations;
   double error = 0.0;
   for (std::size_t i = 0; i < motion.poses.size(); i += stride) {
-    Stopwatch watch;
+    ProcessorStopwatch watch;
     set_pose(scene, motion.poses[i]);
     solver.solve(scene);
     times.push_back(Times::of(scene, watch.lap()));

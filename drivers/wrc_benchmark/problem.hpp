@@ -26,7 +26,7 @@ struct GridSize {
   }
 };
 
-/// Milliseconds by stage; what belongs to no stage is set-up.
+/// Milliseconds of the processor by stage; what belongs to no stage is set-up.
 struct Times {
   double setup = 0.0;
   double geometry = 0.0;
@@ -34,10 +34,12 @@ struct Times {
   double mechanics = 0.0;
   double total = 0.0;
 
-  /// Times of the last solution of a scene, which took `total`.
+  /// Times of the last solution of a scene, which took `total`. Where a busy machine made its
+  /// stages longer than that, each has its share of it.
   static Times of(const wrcontact::Scene& scene, double total) {
-    const auto stage = [&scene](const char* name) {
-      return scene.number(std::string("time_ms.") + name);
+    const double share = std::min(1.0, total / scene.number("time_ms.total"));
+    const auto stage = [&](const char* name) {
+      return share * scene.number(std::string("time_ms.") + name);
     };
     Times times{0.0, stage("geometry"), stage("remesh"), stage("mechanics"), total};
     times.setup = std::max(0.0, total - times.geometry - times.remesh - times.mechanics);

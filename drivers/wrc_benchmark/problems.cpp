@@ -96,7 +96,7 @@ public:
 
   Times solve_cold(const Settings& settings) override {
     handles_.erase(settings.method);
-    Stopwatch watch;
+    ProcessorStopwatch watch;
     driver::NormalContact& normal = handles_[settings.method];
     prepare(normal, grid_, settings);
     return solve(normal, distance_, watch);
@@ -104,7 +104,7 @@ public:
 
   Times solve_warm(const Settings& settings) override {
     driver::NormalContact& normal = handles_.at(settings.method);
-    Stopwatch watch;
+    ProcessorStopwatch watch;
     return solve(normal, distance_, watch);
   }
 
@@ -113,7 +113,7 @@ public:
       driver::NormalContact normal;
       prepare(normal, grid_, {"default", reference_tolerance(grid_)});
       normal.set("precision", "double");
-      Stopwatch watch;
+      ProcessorStopwatch watch;
       solve(normal, distance_, watch);
       reference_ = normal.field("pressure");
     }
@@ -166,7 +166,7 @@ private:
 
   /// Everything before the solution, from the start of the watch, is set-up.
   static Times solve(driver::NormalContact& normal, const std::vector<double>& distance,
-                     Stopwatch& watch) {
+                     ProcessorStopwatch& watch) {
     normal.set_distance(distance);
     Times times;
     times.setup = watch.lap();
@@ -190,7 +190,7 @@ private:
     prepare(normal, fine, {"default", 1e-6});
     std::vector<double> distance;
     sample(fine, distance);
-    Stopwatch watch;
+    ProcessorStopwatch watch;
     solve(normal, distance, watch);
     return normal.number("pmax");
   }
@@ -245,14 +245,14 @@ public:
 
   Times solve_cold(const Settings& settings) override {
     handles_.erase(settings.method);
-    Stopwatch watch;
+    ProcessorStopwatch watch;
     Handles& handles = handles_[settings.method];
     prepare(handles.scene, grid_, settings);
     return solve(handles, watch);
   }
 
   Times solve_warm(const Settings& settings) override {
-    Stopwatch watch;
+    ProcessorStopwatch watch;
     return solve(handles_.at(settings.method), watch);
   }
 
@@ -311,7 +311,7 @@ private:
   }
 
   /// Whatever takes time beside the three stages is set-up, from the start of the watch.
-  static Times solve(Handles& handles, Stopwatch& watch) {
+  static Times solve(Handles& handles, ProcessorStopwatch& watch) {
     const driver::Scene& scene = handles.scene;
     const bool converged = handles.solver.solve(handles.scene);
     const Times times = Times::of(scene, watch.lap());

@@ -164,7 +164,8 @@ void print_cases(const std::vector<Row>& rows) {
            "to 1e-10 (above 1024x512: 1e-8). error pmax: against the closed form, or a grid 2 to 3 "
            "times finer.\n  fill: fraction of elements under pressure. iter: iterations of one "
            "wheel on all grids. "
-           "Times in ms, medians; min: least total.\n  pair: one FFTW transform of twice the grid "
+           "Processor times in ms, medians; min: least total.\n  pair: one FFTW transform of twice "
+           "the grid "
            "in each direction and back, same run. pairs: mechan/pair; total/pair.\n  cold-process: "
            "first solution of a process; cold: new handle; warm: same handle again. MB: memory of "
            "a process\n  that solves once: its peak above that before, with gap and results.\n\n";

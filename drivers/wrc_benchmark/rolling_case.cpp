@@ -139,7 +139,7 @@ RollingRow measure_row(RollingRow row, const std::vector<Ellipse>& ellipses,
   double squares = 0.0;
   for (std::size_t i = 0; i < ellipses.size(); ++i) {
     if (i % 10 == 0) {
-      yardstick.sample_undisturbed();
+      yardstick.sample();
     }
     set_up(rolling, ellipses[i], row);
     ProcessorStopwatch watch;

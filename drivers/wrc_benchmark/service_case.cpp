@@ -212,7 +212,7 @@ ServiceRow measure_row(const Run& run, Prescribed prescribed, double accuracy,
   const std::size_t sampling_stride = std::max<std::size_t>(1, run.steps.size() / 20);
   for (std::size_t i = 1; i < run.steps.size(); ++i) {
     if (i % sampling_stride == 0) {
-      yardstick.sample_undisturbed(); // a shared machine changes its pace within a row
+      yardstick.sample(); // a shared machine changes its pace within a row
     }
     ProcessorStopwatch watch;
     wheelset.solve(run.steps[i]);

@@ -21,24 +21,6 @@ void Yardstick::sample() {
   samples_.push_back(measure());
 }
 
-void Yardstick::sample_undisturbed() {
-  constexpr double undisturbed = 0.99;
-  constexpr int attempts = 20;
-  double best_share = 0.0;
-  double best = 0.0;
-  for (int i = 0; i < attempts && best_share < undisturbed; ++i) {
-    Stopwatch elapsed;
-    ProcessorStopwatch processor;
-    const double milliseconds = measure();
-    const double share = processor.lap() / elapsed.lap();
-    if (share > best_share) {
-      best_share = share;
-      best = milliseconds;
-    }
-  }
-  samples_.push_back(best);
-}
-
 double Yardstick::milliseconds() {
   if (samples_.empty()) {
     sample();

@@ -25,9 +25,6 @@ class Yardstick {
 public:
   explicit Yardstick(const GridSize& grid) : grid_(grid) {}
   void sample();
-  /// One during which the process had a processor to itself, as far as there is one: what went by
-  /// is then processor time.
-  void sample_undisturbed();
   /// Median of all samples; samples once if there are none.
   double milliseconds();
 
