@@ -69,7 +69,15 @@ void check_wheel(std::span<const SurfaceSheet> sheets, double radius,
 
 SlicedSurface::SlicedSurface(std::vector<SurfaceSheet> sheets, double period,
                              std::vector<RadiusHarmonic> harmonics)
-    : sheets_(std::move(sheets)), period_(period), harmonics_(std::move(harmonics)) {}
+    : sheets_(std::move(sheets)), period_(period), harmonics_(std::move(harmonics)),
+      steepest_along_(std::numeric_limits<double>::infinity()) {
+  if (sheets_.size() == 1 && sheets_.front().is_periodic()) {
+    steepest_along_ = sheets_.front().steepest_along();
+    for (const RadiusHarmonic& harmonic : harmonics_) {
+      steepest_along_ += harmonic.order * std::abs(harmonic.amplitude);
+    }
+  }
+}
 
 Stretch SlicedSurface::along() const {
   Stretch range = sheets_.front().along();

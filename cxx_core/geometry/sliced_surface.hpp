@@ -55,6 +55,8 @@ public:
   [[nodiscard]] double distance_to_part(double along) const;
   /// Where one part alone is, and its sections are the same to 1e-9 mm.
   [[nodiscard]] std::vector<ConstantStretch> constant_stretches() const;
+  /// Its steepest rise or fall along; infinite with ends of parts, where contact has any slope.
+  [[nodiscard]] double steepest_along() const { return steepest_along_; }
   /// None if all parts are closed around the wheel.
   [[nodiscard]] std::optional<PartEnd> nearest_end(double along) const;
 
@@ -79,6 +81,7 @@ private:
   std::vector<SurfaceSheet> sheets_;
   double period_;
   std::vector<RadiusHarmonic> harmonics_;
+  double steepest_along_ = 0.0;
 };
 
 /// `smoothing_length`: waves along the track of this length in mm are halved, 0: the surface passes

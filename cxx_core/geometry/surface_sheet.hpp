@@ -102,6 +102,8 @@ public:
   /// Where sections are the same to `tolerance` in mm, by ascending begins; around a wheel the last
   /// may go on beyond the period. None of a part of slices, at whose sides contact ends.
   [[nodiscard]] std::vector<Stretch> constant_stretches(double tolerance) const;
+  /// Its steepest rise or fall along, of places half an interval of knots and 2 mm apart.
+  [[nodiscard]] double steepest_along() const;
   /// How far it rises anywhere over its section at a place, along the normals of that.
   [[nodiscard]] double rise_over(double along) const;
   /// Bytes of its tables.

@@ -106,4 +106,22 @@ double SurfaceSheet::rise_over(double along) const {
   return most;
 }
 
+double SurfaceSheet::steepest_along() const {
+  constexpr int places = 2;
+  constexpr std::size_t pieces = 4; // of 0.5 mm
+  const std::span<const double> knots = spline_.knots();
+  double steepest = 0.0;
+  for (std::size_t interval = 0; interval + 1 < knots.size(); ++interval) {
+    const auto [first, last] = ascending_[interval];
+    for (int place = 0; place < places; ++place) {
+      const double along =
+          std::lerp(knots[interval], knots[interval + 1], static_cast<double>(place) / places);
+      for (std::size_t piece = first; piece < last; piece += pieces) {
+        steepest = std::max(steepest, std::abs(graph_of(at(starts_[piece], along)).by_along));
+      }
+    }
+  }
+  return steepest;
+}
+
 } // namespace wrc

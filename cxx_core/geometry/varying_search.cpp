@@ -23,8 +23,8 @@ constexpr double coarse_step = 5.0;
 /// origin: reasoned: more than ten times as deep as wheels sink under any load.
 constexpr double chain_height = 50.0 * typical_depth;
 /// Rows that may be in contact, above the least distance, mm.
-/// origin: reasoned: three times as deep as wheels sink under any load.
-constexpr double near_height = 10.0 * typical_depth;
+/// origin: reasoned: half more than wheels sink under any load.
+constexpr double near_height = 1.5 * greatest_depth;
 /// Slope that stands for that beside a least distance without curvature.
 /// origin: bound: above rounding.
 constexpr double least_slope = 1e-14;
@@ -210,7 +210,11 @@ std::vector<VaryingSearch::Spot> VaryingSearch::coarse_minima() {
   if (rows.empty()) {
     return {};
   }
-  const auto reach = std::ceil(steepest_along * wheel_.radius() / coarse_step);
+  double steepest = steepest_along;
+  if (rail_.is_prismatic_along(along_track)) {
+    steepest = std::min(steepest, wheel_.touch_slope(pose_.yaw) + coarse_step / wheel_.radius());
+  }
+  const auto reach = std::ceil(steepest * wheel_.radius() / coarse_step);
   const auto places = static_cast<std::size_t>(2.0 * reach) + 1;
   const auto x_of = [&](std::size_t place) {
     return coarse_step * (static_cast<double>(place) - reach);
@@ -432,8 +436,12 @@ std::vector<ContactScan> VaryingSearch::scans(double near_tolerance) {
       }
     }
     field_->restart();
-    for (const Spot& spot : chains_[k].rows) {
-      scan.samples.push_back(sample(spot, spot.point.gap.value <= least + near_height));
+    const std::vector<Spot>& rows = chains_[k].rows;
+    const auto is_near = [&](std::size_t i) {
+      return i < rows.size() && rows[i].point.gap.value <= least + near_height;
+    };
+    for (std::size_t i = 0; i < rows.size(); ++i) { // with the next ones, whose curvature counts
+      scan.samples.push_back(sample(rows[i], is_near(i - 1) || is_near(i) || is_near(i + 1)));
     }
     scans.push_back(std::move(scan));
   }

@@ -101,6 +101,11 @@ double WheelSurface::touch_angle(double yaw, double rise) const {
                                        : std::numeric_limits<double>::infinity();
 }
 
+double WheelSurface::touch_slope(double yaw) const {
+  return steepest_flank * std::abs(std::sin(yaw)) +
+         (slices_ != nullptr ? slices_->steepest_along() / radius_ : 0.0);
+}
+
 std::shared_ptr<const WheelSurface> WheelSurface::round_at(double pitch, double yaw) const {
   if (round_ == nullptr) {
     return nullptr;

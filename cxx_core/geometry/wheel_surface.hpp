@@ -112,6 +112,8 @@ public:
   /// The angle of the wheel to both sides of the one that points down, beyond which a rail cannot
   /// touch it; `rise`: by how much wheel and rail are closer there. Infinite for large yaws.
   [[nodiscard]] double touch_angle(double yaw, double rise) const;
+  /// Slope along the track that it has at most where it touches a rail which does not vary.
+  [[nodiscard]] double touch_slope(double yaw) const;
   /// The round wheel that a rail meets at a pitch; none where it varies within `touch_angle`.
   [[nodiscard]] std::shared_ptr<const WheelSurface> round_at(double pitch, double yaw) const;
   /// The round wheel with the section that points down.
