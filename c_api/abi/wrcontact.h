@@ -496,9 +496,9 @@ typedef struct wrc_table_options {
   double tolerance;
   double fineness; /**< of the nodes, 0.2 to 4; 1. Time and memory grow with its cube. */
   int64_t threads; /**< 1 to 1024; 1. The same bits for any number. */
-  /** File that keeps what is finished, written every 20 s and when the build is stopped, from which
-   * the next build with the same scene and options goes on, to the same bits; removed at the end.
-   * One of another table is WRC_FILE_MALFORMED. NULL: none. Since 0.4. */
+  /** File that keeps what is finished, written every 20 s and when the build ends or is stopped, from
+   * which the next build with the same scene and options goes on, to the same bits. Remove it once
+   * the table is saved. One of another table is WRC_FILE_MALFORMED. NULL: none. Since 0.4. */
   const char* resume_file;
 } wrc_table_options;
 

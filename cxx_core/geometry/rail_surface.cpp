@@ -178,7 +178,9 @@ const RailSurface* RailSurface::prism_at(double along, const WheelSurface& wheel
   }
   const double of_yaw = wheel.taping_line() * std::abs(std::sin(yaw));
   for (const Prism& prism : *prisms_) {
-    const double reach = of_yaw + wheel.largest_radius() * wheel.touch_angle(yaw, prism.where.rise);
+    const double reach =
+        of_yaw + wheel.largest_radius() * wheel.touch_angle(yaw, prism.where.rise,
+                                                            !wheel.is_prismatic_along(along_track));
     if (prism.where.along.begin <= along - reach && along + reach <= prism.where.along.end) {
       return &prism.rail;
     }

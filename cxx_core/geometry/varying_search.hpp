@@ -54,6 +54,10 @@ public:
 private:
   struct Chain {
     std::vector<Spot> rows; ///< ascending in y
+    /// Whether its first row and its last one are not where a body ends, but where the minimum
+    /// comes to an end: the locus turns back.
+    bool turns_first = false;
+    bool turns_last = false;
   };
 
   /// How far it is from a least distance to where the distance is larger by a typical depth.
@@ -67,7 +71,9 @@ private:
   void place_rows();
   [[nodiscard]] std::vector<Spot> coarse_minima();
   [[nodiscard]] static std::optional<Spot> least_in_row(GapField& field, double x, double y);
-  void track(Chain& chain, std::size_t from, int direction, double highest);
+  [[nodiscard]] std::optional<Spot> followed(const Spot& from, const Spot& found, int halvings);
+  [[nodiscard]] std::optional<Spot> track(Chain& chain, std::size_t from, int direction,
+                                          double highest);
   [[nodiscard]] bool is_known(const Spot& spot) const;
   [[nodiscard]] std::vector<Spot> minima_of(const Chain& chain);
   [[nodiscard]] Spot between(const Spot& low, const Spot& high);

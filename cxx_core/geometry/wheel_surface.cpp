@@ -94,10 +94,11 @@ WheelSurface WheelSurface::turned(double pitch) const {
   return wheel;
 }
 
-double WheelSurface::touch_angle(double yaw, double rise) const {
+double WheelSurface::touch_angle(double yaw, double rise, bool varies) const {
   const double of_locus = steepest_flank * std::abs(std::sin(yaw));
   const double above = (out_of_reach + rise) / radius_;
-  return of_locus < 1.0 && above < 1.0 ? std::asin(of_locus) + std::acos(1.0 - above)
+  const double of_slope = varies ? std::asin(steepest_along) : 0.0;
+  return of_locus < 1.0 && above < 1.0 ? std::asin(of_locus) + std::acos(1.0 - above) + of_slope
                                        : std::numeric_limits<double>::infinity();
 }
 
@@ -106,7 +107,8 @@ double WheelSurface::touch_slope(double yaw) const {
          (slices_ != nullptr ? slices_->steepest_along() / radius_ : 0.0);
 }
 
-std::shared_ptr<const WheelSurface> WheelSurface::round_at(double pitch, double yaw) const {
+std::shared_ptr<const WheelSurface> WheelSurface::round_at(double pitch, double yaw,
+                                                           bool rail_varies) const {
   if (round_ == nullptr) {
     return nullptr;
   }
@@ -114,7 +116,7 @@ std::shared_ptr<const WheelSurface> WheelSurface::round_at(double pitch, double 
     const Stretch& along = stretch.where.along;
     const double half = 0.5 * (along.end - along.begin);
     const double from_middle = std::remainder(pitch - (along.begin + half), 2.0 * std::numbers::pi);
-    if (std::abs(from_middle) + touch_angle(yaw, stretch.where.rise) <= half) {
+    if (std::abs(from_middle) + touch_angle(yaw, stretch.where.rise, rail_varies) <= half) {
       return stretch.wheel;
     }
   }
@@ -138,11 +140,11 @@ std::optional<PartEnd> WheelSurface::nearest_end(double x) const {
 }
 
 std::shared_ptr<const WheelSurface> turned(const std::shared_ptr<const WheelSurface>& wheel,
-                                           double pitch, double yaw) {
+                                           double pitch, double yaw, bool rail_varies) {
   if (wheel->is_prismatic_along(along_track)) {
     return wheel;
   }
-  std::shared_ptr<const WheelSurface> round = wheel->round_at(pitch, yaw);
+  std::shared_ptr<const WheelSurface> round = wheel->round_at(pitch, yaw, rail_varies);
   return round != nullptr ? round : std::make_shared<const WheelSurface>(wheel->turned(pitch));
 }
 

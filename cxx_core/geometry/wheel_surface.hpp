@@ -110,12 +110,14 @@ public:
   /// The same wheel turned to a pitch.
   [[nodiscard]] WheelSurface turned(double pitch) const;
   /// The angle of the wheel to both sides of the one that points down, beyond which a rail cannot
-  /// touch it; `rise`: by how much wheel and rail are closer there. Infinite for large yaws.
-  [[nodiscard]] double touch_angle(double yaw, double rise) const;
+  /// touch it; `rise`: by how much wheel and rail are closer there, `varies`: whether the other
+  /// body varies, whose slopes move contact. Infinite for large yaws.
+  [[nodiscard]] double touch_angle(double yaw, double rise, bool varies) const;
   /// Slope along the track that it has at most where it touches a rail which does not vary.
   [[nodiscard]] double touch_slope(double yaw) const;
   /// The round wheel that a rail meets at a pitch; none where it varies within `touch_angle`.
-  [[nodiscard]] std::shared_ptr<const WheelSurface> round_at(double pitch, double yaw) const;
+  [[nodiscard]] std::shared_ptr<const WheelSurface> round_at(double pitch, double yaw,
+                                                             bool rail_varies) const;
   /// The round wheel with the section that points down.
   [[nodiscard]] WheelSurface as_round() const;
   /// The profile at a point in the wheelset's frame, Y counted from the taping line: height over
@@ -172,6 +174,6 @@ inline std::optional<GraphPoint> WheelSurface::over(const Vector3& point) const 
 /// The wheel turned to a pitch, as a rail meets it under a yaw: a round one where that is all it
 /// meets.
 std::shared_ptr<const WheelSurface> turned(const std::shared_ptr<const WheelSurface>& wheel,
-                                           double pitch, double yaw);
+                                           double pitch, double yaw, bool rail_varies);
 
 } // namespace wrc

@@ -329,7 +329,8 @@ SceneSurfaces SurfaceCache::get(const Scene& scene) {
       found.rail->refuse_beyond_slices(scene.along);
     }
     found.rail = posed(found.rail, displacement, scene.along, *found.wheel, scene.yaw);
-    found.wheel = turned(found.wheel, scene.pitch, scene.yaw);
+    found.wheel =
+        turned(found.wheel, scene.pitch, scene.yaw, !found.rail->is_prismatic_along(along_track));
     return found;
   };
   surfaces.left =

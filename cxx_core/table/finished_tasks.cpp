@@ -43,7 +43,7 @@ FinishedTasks::FinishedTasks(std::filesystem::path path, std::string_view inputs
       read(read_file(path_, largest_unfinished));
     } catch (const Error& error) {
       throw Error(error.code(), "resume_file = " + path_.string() + ": " + error.what() +
-                                    "; remove it to begin again");
+                                    "; name another file, or remove it to begin again");
     }
   }
   write();
@@ -54,9 +54,10 @@ void FinishedTasks::read(std::string_view text) {
     throw Error(ErrorCode::file_malformed, "is no file of an unfinished table");
   }
   if (!text.starts_with(head_)) {
-    throw Error(ErrorCode::file_malformed,
-                "is of a table with other profiles, dimensions, materials, friction or options, or "
-                "of another version of the library");
+    throw Error(
+        ErrorCode::file_malformed,
+        "is of a table of another scene or with other options, or of another version of the "
+        "library");
   }
   std::string_view end = text.substr(text.size() - sizeof(std::uint64_t));
   text.remove_suffix(end.size());
@@ -114,11 +115,6 @@ void FinishedTasks::write_locked() {
   append(text, checksum_of(text));
   write_file(path_, text);
   written_ = std::chrono::steady_clock::now();
-}
-
-void FinishedTasks::remove() {
-  std::error_code none;
-  std::filesystem::remove(path_, none);
 }
 
 } // namespace wrc

@@ -31,8 +31,6 @@ public:
   void add(std::uint32_t stage, std::size_t task, std::span<const double> numbers);
 
   void write();
-  /// After the build.
-  void remove();
 
 private:
   using Key = std::pair<std::uint64_t, std::uint64_t>; // stage and task

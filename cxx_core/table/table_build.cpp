@@ -1,6 +1,7 @@
 #include "table/table_build.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -13,6 +14,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "keys/scene_keys.hpp"
 #include "table/constants.hpp"
 #include "table/finished_tasks.hpp"
 #include "table/table_file.hpp"
@@ -131,18 +133,20 @@ public:
     try {
       make();
     } catch (...) {
-      if (finished_) {
-        finished_->write();
-      }
+      keep();
       throw;
     }
-    if (finished_) {
-      finished_->remove();
-    }
+    keep();
     return std::move(table_);
   }
 
 private:
+  void keep() {
+    if (finished_) {
+      finished_->write();
+    }
+  }
+
   void make() {
     const double poisson = shear_constants(scene_.wheel_material, scene_.rail_material).poisson;
     table_.law = CreepLaw::make(poisson, counts_.law, options_.threads, part_of_progress(0.0, 0.1));
@@ -154,15 +158,27 @@ private:
     table_.tolerance = options_.tolerance;
   }
 
-  /// What decides on the numbers of tasks, as bytes.
+  /// What decides on the numbers of tasks, as bytes: all keys of the scene, too.
   [[nodiscard]] std::string inputs() const {
     const TableRanges& ranges = options_.ranges;
-    std::vector<double> numbers(table_.identity.numbers.begin(), table_.identity.numbers.end());
-    numbers.insert(numbers.end(), {ranges.lateral, ranges.roll, ranges.yaw, ranges.load,
-                                   options_.fineness, table_.friction, table_.standstill_speed,
-                                   std::bit_cast<double>(table_.identity.profiles)});
-    return options_.version + std::string(reinterpret_cast<const char*>(numbers.data()),
-                                          numbers.size() * sizeof(double));
+    std::string text = options_.version;
+    const auto add = [&text](std::span<const double> numbers) {
+      text.append(reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes());
+    };
+    add(std::array{ranges.lateral, ranges.roll, ranges.yaw, ranges.load, options_.fineness,
+                   std::bit_cast<double>(table_.identity.profiles)});
+    for (const KeyDescription& key : scene_keys()) {
+      const KeyValue value = key_value(scene_, key.name);
+      (text += '\n') += key.name;
+      if (const auto* words = std::get_if<std::string>(&value)) {
+        text += *words;
+      } else if (const auto* number = std::get_if<double>(&value)) {
+        add({number, 1});
+      } else if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+        add(*numbers);
+      }
+    }
+    return text;
   }
 
   /// Tasks that each fill in an equal share of `numbers`; finished ones are not done again.

@@ -163,6 +163,7 @@ int main(int argc, char** argv) {
     options.resume_file = unfinished.c_str();
     table.build(scene, options, Tenths(resumes ? unfinished : ""));
     table.save(path);
+    std::filesystem::remove(unfinished);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     print_facts(table);
     std::cout << "made in " << std::setprecision(3) << time.count() << " s\n";

@@ -54,7 +54,7 @@ class Table(Handle):
         """Makes it of a scene's profiles, track and materials (wrc_table_build); 0: the default.
 
         progress: called now and then with the finished fraction; what it raises ends the build.
-        resume_file: keeps what is finished, so that the next build goes on; removed at the end.
+        resume_file: keeps what is finished, so that the next build goes on; remove it once the table is saved.
         """
         kept = ffi.NULL if resume_file is None else ffi.new("char[]", encoded(resume_file))
         options = ffi.new("wrc_table_options*", {

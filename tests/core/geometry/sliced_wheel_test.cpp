@@ -54,22 +54,26 @@ TEST(SlicedWheel, IsRoundToARailThatDoesNotReachWhatVaries) {
   const auto flat = std::make_shared<const WheelSurface>(
       sliced_wheel(chord_flat(450.0, 50.0, 0.002), 450.0), dimensions, 0.0);
   const auto is_round = [&](double pitch, double yaw) {
-    return turned(flat, pitch, yaw)->is_prismatic_along(along_track);
+    return turned(flat, pitch, yaw, false)->is_prismatic_along(along_track);
   };
-  EXPECT_NEAR(flat->touch_angle(0.0, 0.0), std::acos(1.0 - 3.0 / 450.0), 1e-12);
+  EXPECT_NEAR(flat->touch_angle(0.0, 0.0, false), std::acos(1.0 - 3.0 / 450.0), 1e-12);
   for (const double pitch : {0.25, 0.3, std::numbers::pi, -0.25, 0.25 + revolution, -7.0})
     EXPECT_TRUE(is_round(pitch, 0.0)) << pitch;
   for (const double pitch : {0.0, 0.1, -0.16, 0.1 + revolution})
     EXPECT_FALSE(is_round(pitch, 0.0)) << pitch;
   EXPECT_FALSE(is_round(0.3, 0.03)) << "under yaw flanks touch ahead of the axle";
   EXPECT_TRUE(is_round(0.5, 0.03));
+  EXPECT_FALSE(turned(flat, 0.3, 0.0, true)->is_prismatic_along(along_track))
+      << "on a rail that rises it is met ahead of the axle";
+  EXPECT_TRUE(turned(flat, 0.5, 0.0, true)->is_prismatic_along(along_track));
   EXPECT_FALSE(is_round(std::numbers::pi, 0.2)) << "steep flanks touch anywhere";
-  EXPECT_NEAR(turned(flat, 2.0, 0.0)->graph().at_lateral(3.0).height, 0.0, 1e-9);
-  EXPECT_EQ(turned(flat, 2.0, 0.0), turned(flat, 2.1, 0.0)) << "the same surface, made once";
+  EXPECT_NEAR(turned(flat, 2.0, 0.0, false)->graph().at_lateral(3.0).height, 0.0, 1e-9);
+  EXPECT_EQ(turned(flat, 2.0, 0.0, false), turned(flat, 2.1, 0.0, false))
+      << "the same surface, made once";
   // What rises over the rest of the wheel is met from farther away.
-  EXPECT_GT(flat->touch_angle(0.0, 2.0), flat->touch_angle(0.0, 0.0) + 0.02);
+  EXPECT_GT(flat->touch_angle(0.0, 2.0, false), flat->touch_angle(0.0, 0.0, false) + 0.02);
   const WheelSurface wavy = wavy_wheel(curve_of([](double) { return Height{}; }), {{1, 0.5, 0.0}});
-  EXPECT_FALSE(wavy.round_at(1.0, 0.0));
+  EXPECT_FALSE(wavy.round_at(1.0, 0.0, false));
 }
 
 TEST(SlicedWheel, ABumpIsMetFromFartherAwayThanAFlat) {
@@ -77,7 +81,7 @@ TEST(SlicedWheel, ABumpIsMetFromFartherAwayThanAFlat) {
     const auto wheel = std::make_shared<const WheelSurface>(wheel_of(flattened_cylinder(
         450.0, 0.2, 0.002, [&](double theta) { return rounded_depth(theta, depth, 0.06); })));
     double pitch = 0.0;
-    while (!turned(wheel, pitch, 0.0)->is_prismatic_along(along_track))
+    while (!turned(wheel, pitch, 0.0, false)->is_prismatic_along(along_track))
       pitch += 0.001;
     return pitch;
   };

@@ -117,6 +117,30 @@ TEST_F(VaryingScene, AFlatThatIsNotTouchedChangesNoForce) {
   }
 }
 
+/// Under yaw the contact locus turns back across the rail beside the flange: rows there have two
+/// least distances.
+TEST_F(VaryingScene, AContactWhereTheLocusTurnsBackIsFound) {
+  const std::string wheel =
+      list("beside.slcw", "S1002", places_every(-0.2, 0.2, 0.005),
+           [](double theta) { return -rounded_depth(theta, 0.6, 0.06); });
+  for (const double lateral : {5.8, 5.9}) {
+    const auto solved = [&](double pitch) {
+      Scene scene = scene_on("60E1", wheel);
+      scene.lateral = lateral;
+      scene.yaw = 0.04;
+      scene.pitch = pitch;
+      scene.motion.reset();
+      return *solve_scene(scene).left;
+    };
+    const SceneWheel round = solved(2.0);
+    const SceneWheel beside = solved(0.4);
+    ASSERT_TRUE(round.details.pair().is_prismatic_along(along_track));
+    ASSERT_FALSE(beside.details.pair().is_prismatic_along(along_track));
+    EXPECT_NEAR(beside.vertical, round.vertical, 1e-9);
+    EXPECT_LT(norm(beside.force - round.force), 1e-3 * norm(round.force));
+  }
+}
+
 TEST_F(VaryingScene, MirrorsToTheLastBit) {
   Scene one = scene_on(wavy_rail(), wheel_with_flat());
   one.left.displacement = {0.5, -0.3, 0.005};

@@ -40,13 +40,11 @@ TEST_F(FinishedTasksFile, KeepsWhatTasksGave) {
   EXPECT_FALSE(again.find(1, 7, found));
   std::array<double, 2> fewer{};
   EXPECT_FALSE(again.find(2, 7, fewer));
-  again.remove();
-  EXPECT_FALSE(std::filesystem::exists(path_));
 }
 
 TEST_F(FinishedTasksFile, RefusesOtherInputsAndWhatWasChanged) {
   FinishedTasks(path_, "of one").add(0, 0, {});
-  refuses("of another", path_.string(), "other profiles");
+  refuses("of another", path_.string(), "another scene");
   const std::string whole = read_file(path_, 1000);
   for (std::size_t size = 0; size < whole.size(); ++size) {
     write_file(path_, whole.substr(0, size));
@@ -84,7 +82,13 @@ TEST_F(FinishedTasksFile, ABuildThatWasStoppedGoesOn) {
   EXPECT_EQ(table.errors.cells(), small_table().errors.cells());
   EXPECT_EQ(table.measured.worst, small_table().measured.worst);
   EXPECT_EQ(table.measured.beyond, small_table().measured.beyond + 1);
-  EXPECT_FALSE(std::filesystem::exists(path_));
+  // The whole table is kept, of this scene alone.
+  EXPECT_TRUE(std::filesystem::exists(path_));
+  Scene other = scene_of_small_table();
+  other.element_limit = 1e3;
+  expect_error(
+      ErrorCode::file_malformed, [&] { (void)build_table(other, options, SceneSolver()); },
+      "another scene");
 }
 
 } // namespace
