@@ -128,4 +128,8 @@ inline constexpr double greatest_spin = 3.0;
 /// stop slide. origin: reasoned: braking to rest ends with a wheel that slides for some steps.
 inline constexpr double least_rolling_speed = 1000.0;
 
+/// Elements each way, at least.
+/// origin: derived: grids of creep forces have even numbers of elements.
+inline constexpr double fewest_creep_elements = 2.0;
+
 } // namespace wrc

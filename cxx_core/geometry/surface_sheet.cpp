@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "geometry/constants.hpp"
 #include "geometry/feature_map.hpp"
 #include "profile/segments.hpp"
 
@@ -13,13 +14,6 @@ namespace {
 
 /// Bound of memory, 400 MB (not a tuning constant).
 constexpr std::size_t max_nodes = std::size_t{1} << 21;
-/// Share of the tangent that is lateral, below which a side is vertical: 89.4 degrees, as of
-/// curve_graph.hpp.
-/// origin: reasoned: beyond it rounding of the lateral coordinate moves the height a hundredfold.
-constexpr double least_lateral_share = 0.01;
-/// Places between two knots at which sections are compared with those at the knots.
-/// origin: reasoned: cubics along have at most two extremes in between.
-constexpr std::array<double, 5> fold_places{0.0, 0.25, 0.5, 0.75, 1.0};
 
 constexpr std::size_t most_listed = 10; // folds in a message; not a tuning constant
 

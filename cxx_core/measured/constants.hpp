@@ -294,10 +294,17 @@ inline constexpr double rough_share = 1e-3;
 inline constexpr double least_variance = 1e-20;
 /// Least share of a point among those that count as one.
 /// origin: bound: keeps weights above 0.
-inline constexpr double least_share = 1e-6;
+inline constexpr double least_point_share = 1e-6;
 /// The residual's least share of the squares; the least freedom of the noise, in values.
 /// origin: bound: above the rounding of sums, below what a line leaves of any measurement.
 inline constexpr double least_residual = 1e-12;
 inline constexpr double least_freedom = 0.01;
+
+// Shifts of profiles.
+
+/// Smallest lateral shift of a profile, mm.
+/// origin: reasoned: results change by up to themselves in a millimetre, so by less than a
+/// thousandth of the finest accuracy, 1e-6.
+inline constexpr double least_shift = 1e-9;
 
 } // namespace wrc

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "measured/constants.hpp"
 #include "profile/profile.hpp"
 
 namespace wrc {
@@ -16,11 +17,6 @@ enum class WheelOrigin { by_file, tape, flange_back };
 
 /// In place of a wavelength (a name, not a tuning constant).
 inline constexpr double automatic_smoothing = -1.0;
-
-/// Smallest lateral shift of a profile, mm.
-/// origin: reasoned: results change by up to themselves in a millimetre, so by less than a
-/// thousandth of the finest accuracy, 1e-6.
-inline constexpr double least_shift = 1e-9;
 
 /// Where the points of a file are put.
 struct ProfilePlacement {

@@ -88,4 +88,8 @@ inline constexpr double max_depth = 50.0;
 /// the edge.
 inline constexpr double penetration_margin = 0.05;
 
+/// The width that every potential contact area has, over its length.
+/// origin: bound: less than an element; penetration at a single point of the scan has none.
+inline constexpr double least_width_over_length = 1e-3;
+
 } // namespace wrc

@@ -4,6 +4,7 @@
 /// measures it) or reasoned. `scripts/list_constants.sh` prints them all. Lengths in mm.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 namespace wrc {
@@ -18,7 +19,7 @@ inline constexpr double transition_length = 2.0;
 
 /// Largest distance between nodes, mm, so that a scan over them meets every local minimum of a gap.
 /// origin: reasoned: below the narrowest contact strip of worn flanges, about 1 mm; scan_slack
-/// of geometry/contact_search.cpp follows from it.
+/// of geometry/constants.hpp follows from it.
 inline constexpr double max_node_distance = 0.5;
 /// Largest gap between neighbouring segments, mm.
 /// origin: reasoned: standards print coordinates to 1e-3 mm.
@@ -77,5 +78,15 @@ inline constexpr double same_line = 0.1 * least_excess;
 /// the head, blades of switches a few.
 inline constexpr double least_groove = 20.0;
 inline constexpr double least_guard_height = 8.0;
+
+/// Longest smoothing length, in distances of the closest places.
+/// origin: derived: the terms of the matrix then differ by (1000 / 2 pi)^4 = 6e8, which leaves
+/// seven digits.
+inline constexpr double longest_along_smoothing = 1000.0;
+
+/// Wavelengths that are halved to see what depends on them, mm; 0: the points as they are.
+/// origin: reasoned: waves of 2 to 8 mm are as likely noise that an instrument has filtered;
+/// halving 3 mm keeps, and halving 15 mm removes them.
+inline constexpr std::array smoothed_waves{0.0, 3.0, 5.0, 8.0, 15.0};
 
 } // namespace wrc

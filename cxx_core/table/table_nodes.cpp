@@ -12,9 +12,6 @@
 namespace wrc {
 namespace {
 
-constexpr double speed_of_nodes =
-    1e4; ///< mm/s; origin: bound: geometry of slip does not depend on it
-
 std::uint64_t add_to_checksum(std::uint64_t sum, double number) {
   return (sum ^ std::bit_cast<std::uint64_t>(number)) * 0x100000001b3ULL;
 }

@@ -17,8 +17,7 @@
 namespace wrc {
 namespace {
 
-/// Of a vertical load.
-/// origin: derived: z of the track frame.
+/// Of a vertical load: z of the track frame (a unit vector, not a tuning constant).
 constexpr Vector3 upwards{0.0, 0.0, 1.0};
 
 class ApproximateWheel {
