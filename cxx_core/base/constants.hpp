@@ -1,10 +1,14 @@
-/// Constants of behaviour of this room: root searches.
+/// Constants of behaviour of this room: root searches and elements.
 ///
 /// Each with its origin: published (with author) or derived, bound, measured (with the program that
 /// measures it) or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 namespace wrc {
+
+/// Mean of a smooth function over an element, less its value at the centre, in second differences.
+/// origin: derived: that of a quadratic.
+inline constexpr double mean_excess_over_element = 1.0 / 24.0;
 
 // Searches for a root in a bracket (root_bracket.hpp).
 

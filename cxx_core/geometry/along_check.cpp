@@ -115,9 +115,9 @@ private:
     std::vector<Section> sections{slices[i]};
     double largest = 0.0;
     for (auto knot = first; knot + 1 < knots.end() && *knot < places_[i + 1]; ++knot) {
-      for (int part = 1; part <= swing_interval_parts; ++part) {
-        const double share = static_cast<double>(part) / swing_interval_parts;
-        sections.push_back(part == swing_interval_parts && knot[1] >= places_[i + 1]
+      for (int part = 1; part <= interval_parts; ++part) {
+        const double share = static_cast<double>(part) / interval_parts;
+        sections.push_back(part == interval_parts && knot[1] >= places_[i + 1]
                                ? slices[i + 1]
                                : section(std::lerp(knot[0], knot[1], share)));
         largest = std::max(largest, compare(slices[i], slices[i + 1], sections.back(), i));

@@ -413,9 +413,9 @@ ContactCandidate SideSearch::candidate(const LocusSpot& spot) const {
   result.rail_angle = std::atan(rail_slope);
   const CurveGraph& graph = wheel_.graph();
   const double wheel_arc = graph.curve().starts()[graph.first_piece() + spot.piece] + spot.along;
-  const double rail_reach = profile_end_tolerance / std::sqrt(1.0 + rail_slope * rail_slope);
-  result.at_profile_end = wheel_arc <= graph.arc_begin() + profile_end_tolerance ||
-                          wheel_arc >= graph.arc_end() - profile_end_tolerance ||
+  const double rail_reach = same_place / std::sqrt(1.0 + rail_slope * rail_slope);
+  result.at_profile_end = wheel_arc <= graph.arc_begin() + same_place ||
+                          wheel_arc >= graph.arc_end() - same_place ||
                           y <= rail_.begin() + rail_reach || y >= rail_.end() - rail_reach;
   return result;
 }

@@ -61,7 +61,7 @@ std::optional<double> RailLine::meet_curve(const Vector3& base, const Vector3& d
   const double ny = direction.y;
   const double nz = direction.z;
   double arc = arc_;
-  double largest_step = first_ray_step;
+  double largest_step = longest_newton_step;
   for (int iteration = 0; iteration < max_newton_steps; ++iteration) {
     if (iteration > 0 || arc != arc_of_point_) {
       point_ = on_curve(arc);
@@ -111,7 +111,7 @@ std::optional<double> RailLine::meet_sheet(std::size_t index, Start from, const 
   const SurfaceSheet& sheet = rail_.slices_->sheets()[index];
   const Stretch across = sheet.across();
   const Stretch along = sheet.along();
-  double largest_step = first_ray_step;
+  double largest_step = longest_newton_step;
   int at_edge = 0;
   for (int iteration = 0; iteration < max_newton_steps; ++iteration) {
     const SheetPoint point = placed(sheet, from.across, from.along);

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "geometry/constants.hpp"
+#include "profile/constants.hpp"
 
 namespace wrc {
 namespace {
@@ -89,7 +90,7 @@ std::vector<ConstantStretch> SlicedSurface::constant_stretches() const {
     return stretches;
   }
   for (const SurfaceSheet& sheet : sheets_) {
-    for (const Stretch& stretch : sheet.constant_stretches(same_section)) {
+    for (const Stretch& stretch : sheet.constant_stretches(negligible_length)) {
       std::vector<Stretch> alone{stretch};
       double rise = sheet.rise_over(stretch.begin);
       for (const SurfaceSheet& other : sheets_) {

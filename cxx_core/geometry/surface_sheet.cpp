@@ -243,13 +243,17 @@ bool SurfaceSheet::is_folded(std::size_t piece, std::size_t interval) const {
   const double step = spline_.knots()[interval + 1] - spline_.knots()[interval];
   const Position begin = at(piece, distance, {interval, step, 0.0}).across;
   const Position end = at(piece, distance, {interval, step, 1.0}).across;
-  return std::any_of(fold_places.begin(), fold_places.end(), [&](double fraction) {
+  for (int part = 0; part <= interval_parts; ++part) {
+    const double fraction = static_cast<double>(part) / interval_parts;
     const Position across = at(piece, distance, {interval, step, fraction}).across;
     const auto follows = [&across](const Position& other) {
       return across[0] * other[0] + across[1] * other[1] > 0.0;
     };
-    return !follows(begin) || !follows(end);
-  });
+    if (!follows(begin) || !follows(end)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 void SurfaceSheet::refuse_folds(std::span<const SheetSection> sections) const {
@@ -410,7 +414,7 @@ std::optional<GraphPoint> SurfaceSheet::over(double along, double lateral) const
         root_of(section, lateral, starts_[piece + 1] - starts_[piece], at_low < at_high);
     const SheetPoint point = at(piece, distance, place);
     if (std::abs(point.across[0]) <
-        least_lateral_share * std::hypot(point.across[0], point.across[1])) {
+        min_tangent_lateral * std::hypot(point.across[0], point.across[1])) {
       continue;
     }
     if (!highest || point.at[1] > highest->height) {

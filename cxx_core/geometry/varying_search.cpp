@@ -47,7 +47,7 @@ double half_length(GapField& field, const VaryingSearch::Spot& spot, double sign
   Place inside{0.0, std::max(row_tolerance * spot.point.gap.xx, least_valley_slope),
                -typical_depth};
   Place outside = inside;
-  double step = longest_row_step;
+  double step = longest_newton_step;
   while (outside.height < 0.0 && outside.slope > 0.0) {
     inside = outside;
     auto next = at(inside.length + step);
@@ -144,9 +144,9 @@ std::optional<VaryingSearch::Spot> VaryingSearch::least_in_row(GapField& field, 
     const Graph& gap = point->gap;
     (gap.x < 0.0 ? low : high) = x;
     double move = gap.xx > 0.0  ? -gap.x / gap.xx
-                  : gap.x < 0.0 ? longest_row_step
-                                : -longest_row_step;
-    move = std::clamp(move, -longest_row_step, longest_row_step);
+                  : gap.x < 0.0 ? longest_newton_step
+                                : -longest_newton_step;
+    move = std::clamp(move, -longest_newton_step, longest_newton_step);
     const bool is_inside = x + move > low && x + move < high;
     if (!is_inside && std::isfinite(low) && std::isfinite(high)) {
       move = 0.5 * (low + high) - x;

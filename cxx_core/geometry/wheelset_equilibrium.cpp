@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "geometry/constants.hpp"
 #include "geometry/varying_search.hpp"
+#include "profile/constants.hpp"
 
 namespace wrc {
 namespace {
@@ -137,7 +138,7 @@ public:
           iteration % roll_halving_period == 0 ? middle : follow(roll, found, middle);
       if (next == roll || !(high_ - low_ > 1e-18) || iteration == max_roll_searches) {
         // No double lies closer to the root, or there is no root within the limits.
-        if (std::abs(found.difference()) <= acceptable_roll_distance) {
+        if (std::abs(found.difference()) <= negligible_length) {
           return roll;
         }
         break;

@@ -40,11 +40,6 @@ inline constexpr std::size_t transposed_rows = 8;
 
 // Influence coefficients and materials.
 
-/// Weight of the second differences in the coefficients of smooth elements.
-/// origin: derived: the mean of a quadratic over an element exceeds its value at the centre by
-/// 1/24 of the second difference.
-inline constexpr double smooth_element_weight = 1.0 / 24.0;
-
 /// From this distance on, in units of the element's longer side, the expansion is used.
 /// origin: derived: the expansion of order six is accurate to 3e-13 there
 /// (influence_coefficients.hpp).

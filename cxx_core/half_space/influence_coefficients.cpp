@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/constants.hpp"
 #include "base/vector_clones.hpp"
 #include "half_space/constants.hpp"
 #include "half_space/vector_log.hpp"
@@ -157,7 +158,7 @@ WRC_VECTOR_CLONES void fill_far_row(const double* halves, double lateral_distanc
 WRC_VECTOR_BODY double smoothed(double here, double before, double after, double left,
                                 double right) {
   const double others = (before + after) + (left + right);
-  return here - smooth_element_weight * (others - 4.0 * here);
+  return here - mean_excess_over_element * (others - 4.0 * here);
 }
 
 WRC_VECTOR_CLONES void fill_smoothed_row(const double* before, const double* here,

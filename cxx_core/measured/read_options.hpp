@@ -8,6 +8,7 @@
 #include <string>
 
 #include "measured/constants.hpp"
+#include "profile/constants.hpp"
 #include "profile/profile.hpp"
 
 namespace wrc {
@@ -24,7 +25,7 @@ struct ProfilePlacement {
   WheelOrigin origin = WheelOrigin::by_file;
   double lateral_shift = 0.0; ///< of a wheel, mm, to the taping line, instead of `origin`; 0: none
   /// A sum of numbers may leave a shift of rounding, which is none.
-  [[nodiscard]] bool is_shifted() const { return std::abs(lateral_shift) > least_shift; }
+  [[nodiscard]] bool is_shifted() const { return std::abs(lateral_shift) > negligible_length; }
   /// rad, anticlockwise in (lateral, height) about the taping line or the rail's origin; if set,
   /// replaces the search for a tilt (tilt.hpp).
   std::optional<double> rotation;

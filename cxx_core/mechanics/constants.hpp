@@ -101,8 +101,8 @@ inline constexpr int stagnation_window = 60;
 /// origin: reasoned: no box is emptied or doubled by one step.
 inline constexpr double max_joint_step_shrinking = 0.5;
 
-/// origin: reasoned: see max_joint_step_shrinking.
-inline constexpr double max_joint_step_growth = 1.0;
+/// origin: derived: a box that is doubled by one step is halved by the opposite one.
+inline constexpr double max_joint_step_growth = 1.0 / (1.0 - max_joint_step_shrinking) - 1.0;
 
 /// origin: measured (JointContactRandom.MeetsTheRequestedTolerance): without it and the limit of
 /// growth one pressure ends off by 1.2.

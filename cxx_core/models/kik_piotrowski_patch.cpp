@@ -110,9 +110,9 @@ double KikPiotrowskiPatch::end_between(double inside, double outside) const {
     return outside;
   }
   RootBracket end({inside, in}, {outside, out});
-  end.narrow(penetration_end_accuracy * std::abs(outside - inside), [&](double s) {
+  end.narrow(model_search_accuracy * std::abs(outside - inside), [&](double s) {
     const double rest = left_over(s);
-    return std::abs(rest) <= penetration_end_accuracy * approach_ ? 0.0 : rest;
+    return std::abs(rest) <= model_search_accuracy * approach_ ? 0.0 : rest;
   });
   return end.middle();
 }

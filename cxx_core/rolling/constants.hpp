@@ -71,7 +71,8 @@ inline constexpr double forcing = 0.3;
 inline constexpr double forcing_of_rest = 0.5;
 
 /// Steps of GMRES without restart.
-/// origin: measured (a trial of the method, 40 to 60 ellipses): half a dozen suffice for `forcing`.
+/// origin: bound: of memory; measured (a trial of the method, 40 to 60 ellipses): half a dozen
+/// suffice for `forcing`.
 inline constexpr std::size_t krylov_limit = 12;
 
 /// A step that lets the residual grow by more is shortened.
@@ -161,6 +162,11 @@ inline constexpr double unlike_normal_tolerance = 1e-4;
 /// on it, to rounding, and nothing else near it.
 /// origin: derived: above the rounding of single precision.
 inline constexpr double off_bound = 1e-6;
+
+/// Speed, mm/s, below which a wheelset starts or stops: its wheels may slide without a warning, and
+/// a higher speed of standstill is warned of. origin: reasoned: braking to rest ends with a wheel
+/// that slides for some steps; a walking pace.
+inline constexpr double slow_speed = 1000.0;
 
 // Closed forms and tables of creep forces.
 

@@ -55,6 +55,10 @@ inline constexpr double most_time_step = 1e9;
 
 // Position under a load and a moment (static_equilibrium.cpp).
 
+/// Loads that a search meets are met within this share of the accuracy.
+/// origin: reasoned: forces themselves are off by the accuracy; a hundredth of it does not show.
+inline constexpr double load_share_of_accuracy = 0.01;
+
 /// Solutions: that of the start, and those of Newton's method.
 /// origin: bound: 4 to 8 are needed from tread to flange.
 inline constexpr int most_static_solutions = 40;
@@ -74,21 +78,16 @@ inline constexpr double least_wheel_share = 0.02;
 /// origin: bound: a hundred times what wheels carry.
 inline constexpr double largest_static_load = 1e7;
 
-/// Loads are met within this share of the accuracy.
-/// origin: bound: forces themselves are off by the accuracy.
-inline constexpr double static_load_share = 0.01;
-
 // Pressures that make a total load (total_load.cpp).
 
-/// What may be left of a total, and at most in accuracies.
+/// What may be left of a total.
 /// origin: measured (TotalLoad.*): where iterations of creep forces take a step more or less,
 /// totals jump by 1e-8 on treads and up to 4e-7 of themselves on flanges, whatever the accuracy;
 /// secants leave 1e-7 and less.
 inline constexpr double total_load_tolerance = 1e-6;
-inline constexpr double total_load_share = 0.01;
 
-/// Number of solutions after which that fraction of the accuracy suffices, ...
-/// origin: reasoned: twice the number needed if nothing jumps.
+/// Number of solutions after which load_share_of_accuracy suffices, ...
+/// origin: bound: twice the number needed if nothing jumps; where forces jump no load does better.
 inline constexpr int usual_total_solutions = 12;
 
 /// ... and of the last one, after which there is no load.
@@ -101,7 +100,7 @@ inline constexpr int most_total_solutions = 40;
 inline constexpr double largest_total_ratio = 32.0;
 
 /// The largest factor between one load and the next.
-/// origin: reasoned: a few solutions to the largest load.
+/// origin: bound: a few solutions to the largest load; keeps the first secants in range.
 inline constexpr double largest_load_growth = 4.0;
 
 // Surfaces and tables of steps (surface_cache.hpp, table.cpp).

@@ -170,7 +170,7 @@ StaticEquilibrium find_static_equilibrium(const Scene& scene, const VehicleState
     }
   }
   Two place = start.place;
-  const double tolerance = static_load_share * posed.accuracy;
+  const double tolerance = load_share_of_accuracy * posed.accuracy;
 
   StaticEquilibrium best;
   best.unbalanced = std::numeric_limits<double>::infinity();

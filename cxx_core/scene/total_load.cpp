@@ -14,8 +14,8 @@ constexpr std::array<const char*, 2> total_keys{"load.left", "load.right"};
 /// Permitted error of a total after this number of solutions, as a fraction of it.
 double permitted_share(int solutions, double accuracy) {
   return solutions <= usual_total_solutions
-             ? std::min(total_load_tolerance, total_load_share * accuracy)
-         : solutions < most_total_solutions ? total_load_share * accuracy
+             ? std::min(total_load_tolerance, load_share_of_accuracy * accuracy)
+         : solutions < most_total_solutions ? load_share_of_accuracy * accuracy
                                             : accuracy;
 }
 

@@ -9,9 +9,9 @@
 
 namespace wrc {
 
-/// Tolerance of the tangential iteration in the creep law's nodes.
-/// origin: reasoned: a tenth of the error of the law's spline.
-inline constexpr double creep_law_tolerance = 1e-3;
+/// Accuracy of normal contact in the table's nodes, and tolerance of the tangential iteration in
+/// the creep law's. origin: reasoned: a tenth of the error that the splines themselves have.
+inline constexpr double node_accuracy = 1e-3;
 
 /// Largest linear force of spin over mu N that is solved for the creep law, in place of spin
 /// without end. origin: reasoned: tractions are off by a hundredth where the slip turns, in a
@@ -20,14 +20,10 @@ inline constexpr double largest_spin_node = 100.0;
 
 /// Largest ln(a/b) of the creep law's nodes, to both sides.
 /// origin: reasoned: 12 to 1, beyond which wheels are on no rail that is new.
-inline constexpr double largest_log_ratio = 2.5;
+inline constexpr double largest_law_log_ratio = 2.5;
 
-/// Accuracy of normal contact in the table's nodes.
-/// origin: reasoned: a tenth of the error that the spline itself has.
-inline constexpr double table_accuracy = 1e-3;
-
-/// Accuracy of Kalker's coefficients there, and of the solutions that the table is compared with.
-/// origin: reasoned: likewise, of creep forces.
+/// Accuracy of Kalker's coefficients in the nodes, and of the solutions that the table is compared
+/// with. origin: reasoned: a tenth of the error that the splines have in creep forces.
 inline constexpr double table_creep_accuracy = 1e-2;
 
 /// Slope of first touch, height over lateral position, that tells where the flange begins.
