@@ -7,7 +7,7 @@
 #   tuned                "origin: measured (with what): ..." or "reasoned: ..."
 # The origin is in the comment above the constant, or at the end of its line; constants that follow
 # each other without a comment share the one above the first. Fails if one has no origin, or a word
-# such as "reasoned" without the reason.
+# such as "reasoned" without the reason, or is outside constants.hpp and plausible_shapes.hpp.
 # Left out are constants marked "not a tuning constant" (permitted ranges, units, quadrature tables,
 # sizes of pictures) and the files listed below, which hold nothing else.
 # Usage: scripts/list_constants.sh [ROOM...]
@@ -43,6 +43,7 @@ others = {
     "cxx_core/keys/profile_keys.cpp",  # likewise
     "cxx_core/table/table_step.cpp",  # permitted ranges and signs
 }
+homes = {"constants.hpp", "plausible_shapes.hpp"}
 # At namespace scope, or static in a class; not functions.
 declaration = re.compile(
     r"^(?:inline |static |  static )*constexpr (?P<type>[^=({;]*?)\b(?P<name>\w+)(?:\[\w*\])?"
@@ -53,6 +54,7 @@ words = re.compile(r"string_view|char\b|Dimension")
 
 rows = []
 missing = []
+misplaced = []
 for path in sys.stdin.read().split():
     room = path.split("/")[1]
     if path in others or (rooms and room not in rooms):
@@ -92,6 +94,8 @@ for path in sys.stdin.read().split():
             missing.append(f"{path}:{first}: {found['"'name'"']} = {value}")
             continue
         short = path.split("/", 2)[2]
+        if short not in homes:
+            misplaced.append(f"{path}:{first}: {found['"'name'"']} = {value}")
         rows.append((known[1], room, short, found["name"], re.sub(r"\s+", " ", value),
                      f"{known[1]}: {known[2].strip()}"))
 
@@ -99,6 +103,10 @@ if missing:
     print(f"{len(missing)} of {len(missing) + len(rows)} constants have no origin or no reason for it:",
           file=sys.stderr)
     print("\n".join(missing), file=sys.stderr)
+    sys.exit(1)
+if misplaced:
+    print("These constants belong into constants.hpp of their room:", file=sys.stderr)
+    print("\n".join(misplaced), file=sys.stderr)
     sys.exit(1)
 for group, tags in groups.items():
     members = [row for row in rows if row[0] in tags]

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "patches/constants.hpp"
+
 namespace wrc {
 
 /// Elements over the penetration of solutions that find the depth of a load; an odd number, so that
@@ -111,26 +113,16 @@ inline constexpr double constant_elements_error = 3.0;
 /// (expected_contact.hpp).
 /// origin: derived: under Hertz's pressures on a paraboloid it is a fifth of the squared semi-axis,
 /// 0.2 g/k on a depth of which the virtual penetration is 0.55; weighted, g is 7/8 of the deepest.
-inline constexpr double variance_of_penetration = 0.2 / (0.55 * 0.875);
-
-/// Rows over a penetration that show what contact it leads to.
-/// origin: measured (smoothness): with 33 forces leave the line of the stiffness by 2.2e-5 instead
-/// of 8e-7 where two lobes part.
-inline constexpr std::size_t penetration_rows = 65;
+inline constexpr double variance_of_penetration = 0.2 / (virtual_penetration_share * 0.875);
 
 /// Rows over the penetration that a crest takes at most.
-/// origin: reasoned: at a kink no number of rows resolves it.
+/// origin: bound: of work; at a kink no number of rows resolves it.
 inline constexpr double max_crest_rows = 160.0;
 
 /// Length of the strips of a section, in lengths of the contact there: they displace their middle
 /// as a semi-elliptic pressure over the contact does.
 /// origin: derived: 2/e, since the integral of (sqrt(1 - t^2) - 1)/t from 0 to 1 is ln 2 - 1.
 inline constexpr double strip_length_share = 2.0 / std::numbers::e;
-
-/// Mean of a smooth pressure over an element, and its value at the centre: their difference in
-/// second differences.
-/// origin: derived: Taylor.
-inline constexpr double mean_over_element = 1.0 / 24.0;
 
 /// Error of a crest, in second differences at its top: of the strips across, and of the columns
 /// along as far as they exceed a semi-ellipse's.
@@ -173,14 +165,10 @@ inline constexpr auto strip_refinement = static_cast<std::size_t>(strips_per_row
 inline constexpr double min_strips = 64.0;
 
 /// Error of the force of a contact in a plane, over its vertical load and the square of the cosine
-/// of the plane's angle: this times the third power of the surface's standard deviation from the
-/// plane's direction, ...
+/// of the plane's angle: the third power of the surface's standard deviation from the plane's
+/// direction, and this times the square of its mean.
 /// origin: measured (34 scenes against curved patches, tread to flange): errors are 0.1 to 1.1
 /// times as large.
-inline constexpr double force_error_by_deviation = 1.0;
-
-/// ... and this times the square of its mean.
-/// origin: measured: see force_error_by_deviation.
 inline constexpr double force_error_by_mean = 0.4;
 
 /// Error of the depth of a contact in a plane, and of its moments over force and semi-axis, over
@@ -195,10 +183,6 @@ inline constexpr double depth_error_by_turn = 0.03;
 /// rad planes differ from curves by up to 0.12 in the depth, and by up to 0.11 of the square in the
 /// moments of 23.
 inline constexpr double depth_error_by_kink = 5.0 * depth_error_by_turn;
-
-/// Error of a force at a prescribed position, over that of the depth at a prescribed load.
-/// origin: derived: a force goes with the power 1.5 of the depth (Hertz).
-inline constexpr double force_by_depth = 1.5;
 
 /// Error of the largest pressure in a plane, over the square of the surface's turn.
 /// origin: measured (docs/evidence/curved.md, planes alone): 0.07 bounds all of 200 wheels except

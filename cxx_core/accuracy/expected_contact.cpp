@@ -6,6 +6,7 @@
 
 #include "accuracy/constants.hpp"
 #include "patches/constants.hpp"
+#include "remesh/constants.hpp"
 
 namespace wrc {
 namespace {

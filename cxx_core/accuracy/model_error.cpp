@@ -32,8 +32,7 @@ SurfaceTurn combined_turn(const SurfaceTurn& one, const SurfaceTurn& other) {
 }
 
 double force_error_of_plane(const SurfaceTurn& turn, double plane_angle) {
-  return (force_error_by_deviation * std::pow(turn.deviation, 3) +
-          force_error_by_mean * turn.mean * turn.mean) /
+  return (std::pow(turn.deviation, 3) + force_error_by_mean * turn.mean * turn.mean) /
          std::cos(plane_angle);
 }
 
@@ -55,7 +54,7 @@ double pressure_error_of_plane(const SurfaceTurn& turn) {
 double curve_share(double turn, double accuracy, AccuracyOf accuracy_of,
                    bool position_is_prescribed) {
   const double error = (accuracy_of == AccuracyOf::pressures ? pressure_error_by_turn
-                        : position_is_prescribed             ? force_by_depth * depth_error_by_turn
+                        : position_is_prescribed             ? load_power * depth_error_by_turn
                                                              : depth_error_by_turn) *
                        turn * turn;
   return smoothstep((error / accuracy - curve_begins) / (1.0 - curve_begins));
@@ -94,7 +93,7 @@ double interaction_error(const GridSolution& solution, double combined_modulus) 
     }
     forces += patch.normal_force;
     if (missing > 0.0) {
-      weighted += patch.normal_force * std::min(1.0, force_by_depth * missing / patch.overlap());
+      weighted += patch.normal_force * std::min(1.0, load_power * missing / patch.overlap());
     }
   }
   return forces > 0.0 ? weighted / forces : 0.0;
@@ -102,7 +101,7 @@ double interaction_error(const GridSolution& solution, double combined_modulus) 
 
 double estimate_model_error(GridSolution& solution, AccuracyOf accuracy_of,
                             bool position_is_prescribed) {
-  const double of_depth = position_is_prescribed ? force_by_depth : 1.0;
+  const double of_depth = position_is_prescribed ? load_power : 1.0;
   const bool of_pressures = accuracy_of == AccuracyOf::pressures;
   const double peak = solution.peak_pressure();
   double weighted = 0.0;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "accuracy/constants.hpp"
+#include "base/constants.hpp"
 #include "base/smoothstep.hpp"
 #include "mechanics/strip_contact.hpp"
 
@@ -136,7 +137,7 @@ std::vector<Top> tops_of(const std::vector<double>& pressure, std::size_t first,
       top.at = i;
       top.difference = -second_difference(pressure, i);
       top.pressure =
-          at(i) - mean_over_element * top.difference + above_value(before, at(i), at(i + 1));
+          at(i) - mean_excess_over_element * top.difference + above_value(before, at(i), at(i + 1));
       top.unresolved = unresolved_at(pressure, i);
       top.bound = top.pressure + error_by_second_difference * top.difference +
                   error_by_unresolved * top.unresolved;
@@ -297,7 +298,7 @@ PeakInSection peak_in_section(const Patch& patch, Elements elements, const Posed
   std::vector<double> mean = pressure;
   if (elements == Elements::smooth) {
     for (std::size_t row = 0; row < mean.size(); ++row) {
-      mean[row] -= mean_over_element * second_difference(pressure, row);
+      mean[row] -= mean_excess_over_element * second_difference(pressure, row);
     }
   }
   const std::vector<double> displacement =

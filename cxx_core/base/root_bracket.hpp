@@ -11,6 +11,8 @@
 #include <cmath>
 #include <optional>
 
+#include "base/constants.hpp"
+
 namespace wrc {
 
 class RootBracket {
@@ -34,10 +36,10 @@ public:
   [[nodiscard]] double middle() const { return 0.5 * (one_.place + other_.place); }
   [[nodiscard]] double width() const { return std::abs(other_.place - one_.place); }
 
-  /// Narrows the bracket to `tolerance`, unless that takes more than max_steps. `function` gives
-  /// its value, or none to stop; at a value of zero both ends meet.
+  /// Narrows the bracket to `tolerance`, unless that takes more than max_bracket_steps. `function`
+  /// gives its value, or none to stop; at a value of zero both ends meet.
   template <class Function> void narrow(double tolerance, const Function& function) {
-    for (int step = 1; step <= max_steps && width() > tolerance; ++step) {
+    for (int step = 1; step <= max_bracket_steps && width() > tolerance; ++step) {
       const double place = step % bisection_period == 0 ? middle() : drawn();
       const std::optional<double> value = function(place);
       if (!value) {
@@ -48,13 +50,6 @@ public:
   }
 
 private:
-  /// A bisection at least every so often: with 8 a smooth root, which takes 5 to 9 steps, is
-  /// hardly held up. origin: reasoned, 4 to 16 change no result by more than the tolerance.
-  static constexpr int bisection_period = 8;
-  /// Enough to bisect any interval of doubles of one sign down to rounding, see above.
-  /// origin: bound: 8 times 53 bisections at most; 200 suffice with the secants between.
-  static constexpr int max_steps = 200;
-
   /// Where the secant through the weighted ends is zero.
   [[nodiscard]] double drawn() const {
     const double place = (one_.place * weighted_other_ - other_.place * weighted_one_) /

@@ -120,12 +120,14 @@ inline constexpr double creep_error_of_plane = 1.2;
 /// estimate at 1e-2 with 1, 2.0 % with 1.25.
 inline constexpr double error_by_moved_load = 1.25;
 
-/// Creepages, and the spin times the radius, above which they are warned of.
+/// Creepages, and the spin times the radius, above which they are warned of; those of a motion only
+/// from slow_speed on.
 /// origin: reasoned: flanges have 0.06 and 1, and 1 means one per mille, 0.1 that in 1/m.
 inline constexpr double greatest_creepage = 0.2;
 inline constexpr double greatest_spin = 3.0;
-/// Speed of slip over creepage, mm/s, below which those of a motion are not: wheels that start or
-/// stop slide. origin: reasoned: braking to rest ends with a wheel that slides for some steps.
-inline constexpr double least_rolling_speed = 1000.0;
+
+/// Elements each way, at least.
+/// origin: derived: grids of creep forces have even numbers of elements.
+inline constexpr double fewest_creep_elements = 2.0;
 
 } // namespace wrc

@@ -18,20 +18,18 @@ struct CreepCounts {
   double along;
 };
 
-/// Elements each way, at least.
-/// origin: derived: grids of creep forces have even numbers of elements.
-constexpr double fewest = 2.0;
-
 CreepCounts within(CreepCounts wanted, double limit) {
   const double times = std::sqrt(wanted.across * wanted.along / limit);
-  const double most = std::max(limit / fewest, fewest);
+  const double most = std::max(limit / fewest_creep_elements, fewest_creep_elements);
   const auto bounded = [most](double count) { // what is no number counts as few
-    return count >= fewest ? std::min(count, most) : fewest;
+    return count >= fewest_creep_elements ? std::min(count, most) : fewest_creep_elements;
   };
   const CreepCounts counts{wanted.across / times, wanted.along / times};
-  if (counts.across < fewest || counts.along < fewest) {
-    return {bounded(counts.across < fewest ? fewest : std::min(wanted.across, most)),
-            bounded(counts.along < fewest ? fewest : std::min(wanted.along, most))};
+  if (counts.across < fewest_creep_elements || counts.along < fewest_creep_elements) {
+    return {bounded(counts.across < fewest_creep_elements ? fewest_creep_elements
+                                                          : std::min(wanted.across, most)),
+            bounded(counts.along < fewest_creep_elements ? fewest_creep_elements
+                                                         : std::min(wanted.along, most))};
   }
   return {bounded(counts.across), bounded(counts.along)};
 }

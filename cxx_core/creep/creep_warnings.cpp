@@ -9,6 +9,7 @@
 #include "creep/creep_elements.hpp"
 #include "creep/creep_forces.hpp"
 #include "records/wheel_result.hpp"
+#include "rolling/constants.hpp"
 
 namespace wrc {
 namespace {
@@ -41,7 +42,7 @@ void warn_of_unlike_bodies(WheelResult& wheel, const CreepRequest& request) {
 void warn_of_creepages(WheelResult& wheel, const CreepRequest& request) {
   for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
     const CreepResult& creep = *wheel.patches[i].creep;
-    if (request.motion && (request.time_step > 0.0 || creep.slip_speed < least_rolling_speed)) {
+    if (request.motion && (request.time_step > 0.0 || creep.slip_speed < slow_speed)) {
       continue; // near standstill wheels may slide
     }
     const double radius = wheel.rigid_contact.rolling_radius;

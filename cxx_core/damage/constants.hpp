@@ -28,7 +28,7 @@ inline constexpr std::size_t rows_worth_splitting = 24;
 inline constexpr std::size_t vector_places = 16;
 
 /// Smallest number of elements across the contact.
-/// origin: reasoned: needed for moments up to the third in a row.
+/// origin: derived: four moments in a row, up to the third, need four elements.
 inline constexpr std::size_t coarsest_elements = 4;
 
 /// The same for the search of the greatest stress, which is computed again at the point found.
@@ -80,10 +80,11 @@ inline constexpr double least_gain = 3e-4;
 inline constexpr int search_rounds = 6;
 
 /// Points on each side among which the maximum on the surface is searched again, on elements half
-/// as large each time.
-/// origin: reasoned: across three quarters of a larger element to each side; along, what a vector
-/// register holds.
-inline constexpr std::size_t surface_reach_along = 7;
+/// as large each time, along, ...
+/// origin: derived: what a vector register holds, with the point itself.
+inline constexpr std::size_t surface_reach_along = (vector_places - 1) / 2;
+/// ... and across.
+/// origin: reasoned: three quarters of a larger element to each side.
 inline constexpr std::size_t surface_reach_across = 1;
 
 /// Error of the greatest stress on the surface under tractions, by the root of elements over half
@@ -130,11 +131,12 @@ inline constexpr double rail_damage_peak = 65.0;
 inline constexpr double rail_damage_last = 175.0;
 inline constexpr double rail_damage_greatest = 1e-5;
 
-/// Steps of the scan of a line contact's stresses over x/a and z/a, how far it goes to each side
-/// and down, and greatest friction. origin: reasoned: a smooth field; limits are right to 2e-3, as
-/// FatigueTest finds.
+/// Steps of the scan of a line contact's stresses over x/a and z/a, and how far it goes to each
+/// side and down. origin: measured (FatigueTest): a smooth field, whose limits are right to 2e-3.
 inline constexpr double map_step = 0.025;
 inline constexpr double map_reach = 1.5;
+/// Greatest friction of the map.
+/// origin: bound: beyond that of any rail.
 inline constexpr double map_friction = 2.0;
 
 /// Poisson's ratio of the map's elastic limit.

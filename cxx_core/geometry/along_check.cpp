@@ -13,26 +13,6 @@ namespace wrc {
 namespace {
 
 constexpr double nothing = -std::numeric_limits<double>::infinity();
-/// Lines across a sheet on which heights are compared.
-/// origin: reasoned: every 2 to 4 mm of a head or tread; swings are wider than that.
-constexpr std::size_t check_lines = 24;
-/// Distance of the two places that give a line's slope across, mm.
-/// origin: reasoned: a fifth of the node distance of curves (curve_graph.hpp).
-constexpr double slope_distance = 0.1;
-/// Sections steeper than this across are left out.
-/// origin: reasoned: contact angles beyond 63 degrees are those of a flange face.
-constexpr double steepest_section = 2.0;
-/// Parts of the interval between two knots.
-/// origin: reasoned: a cubic's extremes are found to a tenth of their height.
-constexpr int interval_parts = 4;
-
-/// Swings and steep rises beyond this have a warning, mm.
-/// origin: measured: slices of smooth shapes swing by up to 0.0065 mm (the shipped crossing; waves
-/// of 0.1 mm over 20 slices by 0.0001 mm), those about steps and sharp flats by 0.014 mm or more.
-constexpr double limit = 0.01;
-/// Places nearer to 0 than this share of a rise are 0 in messages.
-/// origin: bound: rounding.
-constexpr double place_rounding = 1e-9;
 
 /// Heights of one section on all lines, and slopes across.
 struct Section {
@@ -56,10 +36,10 @@ public:
     if (sheet.is_periodic()) { // the first slice follows the last one
       places_.push_back(sheet.knots().back());
     }
-    for (std::size_t line = 0; line < check_lines; ++line) {
-      const double share = (static_cast<double>(line) + 0.5) / static_cast<double>(check_lines);
+    for (std::size_t line = 0; line < swing_lines; ++line) {
+      const double share = (static_cast<double>(line) + 0.5) / static_cast<double>(swing_lines);
       laterals_.push_back(std::lerp(begin, end, share));
-      laterals_.push_back(laterals_.back() + slope_distance);
+      laterals_.push_back(laterals_.back() + swing_slope_distance);
     }
   }
 
@@ -79,10 +59,10 @@ private:
     heights_.assign(laterals_.size(), nothing);
     sheet_.raise_to(place, laterals_, heights_);
     Section result{place, {}, {}};
-    for (std::size_t line = 0; line < check_lines; ++line) {
+    for (std::size_t line = 0; line < swing_lines; ++line) {
       const double one = heights_[2 * line];
-      const double slope = (heights_[2 * line + 1] - one) / slope_distance;
-      const bool counts = std::isfinite(slope) && std::abs(slope) <= steepest_section;
+      const double slope = (heights_[2 * line + 1] - one) / swing_slope_distance;
+      const bool counts = std::isfinite(slope) && std::abs(slope) <= steepest_swing_section;
       result.height.push_back(counts ? one : nothing);
       result.cosine.push_back(counts ? 1.0 / std::sqrt(1.0 + slope * slope) : 0.0);
     }
@@ -91,10 +71,10 @@ private:
 
   /// By how much a parabola is above (first) and below both slices of an interval, on each line.
   void explain(const std::vector<Section>& slices, std::size_t i) {
-    above_.assign(check_lines, 0.0);
-    below_.assign(check_lines, 0.0);
+    above_.assign(swing_lines, 0.0);
+    below_.assign(swing_lines, 0.0);
     const double step = places_[i + 1] - places_[i];
-    for (std::size_t line = 0; line < check_lines; ++line) {
+    for (std::size_t line = 0; line < swing_lines; ++line) {
       const std::optional<double> one = second(slices, i, line);
       const std::optional<double> other = second(slices, i + 1, line);
       if (!one && !other) {
@@ -143,7 +123,7 @@ private:
         largest = std::max(largest, compare(slices[i], slices[i + 1], sections.back(), i));
       }
     }
-    found_.swing.intervals += largest > limit ? 1 : 0;
+    found_.swing.intervals += largest > notable_swing ? 1 : 0;
     measure_rises(sections, i);
   }
 
@@ -151,7 +131,7 @@ private:
   [[nodiscard]] double compare(const Section& one, const Section& other, const Section& here,
                                std::size_t i) {
     double largest = 0.0;
-    for (std::size_t line = 0; line < check_lines; ++line) {
+    for (std::size_t line = 0; line < swing_lines; ++line) {
       const double z = here.height[line];
       const double before = one.height[line];
       const double after = other.height[line];
@@ -171,7 +151,7 @@ private:
 
   /// Runs of places on a line that are steeper than the search looks for, also over several slices.
   void measure_rises(const std::vector<Section>& sections, std::size_t i) {
-    for (std::size_t line = 0; line < check_lines; ++line) {
+    for (std::size_t line = 0; line < swing_lines; ++line) {
       double& rise = rise_[line];
       double& length = length_[line];
       for (std::size_t k = 1; k < sections.size(); ++k) {
@@ -187,7 +167,8 @@ private:
         length = goes_on ? length + step : step;
         if (std::abs(rise) > std::abs(found_.rise.size)) {
           const double middle = sections[k].place - 0.5 * length / of_place_;
-          set(found_.rise, rise, std::abs(middle) > place_rounding * length ? middle : 0.0, i);
+          set(found_.rise, rise, std::abs(middle) > swing_place_rounding * length ? middle : 0.0,
+              i);
           found_.rise.length = length;
         }
       }
@@ -210,8 +191,8 @@ private:
   std::vector<double> heights_;
   std::vector<double> above_; ///< what a parabola explains, of lines
   std::vector<double> below_;
-  std::vector<double> rise_ = std::vector<double>(check_lines); ///< of the run that goes on
-  std::vector<double> length_ = std::vector<double>(check_lines);
+  std::vector<double> rise_ = std::vector<double>(swing_lines); ///< of the run that goes on
+  std::vector<double> length_ = std::vector<double>(swing_lines);
 };
 
 std::string others_text(std::size_t intervals) {
@@ -237,7 +218,7 @@ Warnings warnings_of(const AlongCheck& check, ProfileKind kind) {
   const bool is_rail = kind == ProfileKind::rail;
   const std::string body = is_rail ? "rail" : "wheel";
   Warnings warnings;
-  if (const AlongFault& swing = check.swing; std::abs(swing.size) > limit) {
+  if (const AlongFault& swing = check.swing; std::abs(swing.size) > notable_swing) {
     warnings.push_back({WarningClass::profile_swing,
                         "between slices " + std::to_string(swing.slice) + " and " +
                             std::to_string(swing.slice_next) + " the " + body + " is " +
@@ -246,7 +227,7 @@ Warnings warnings_of(const AlongCheck& check, ProfileKind kind) {
                             others_text(swing.intervals) + ": add slices there, or state " +
                             (is_rail ? "track." : "wheelset.") + body + "_smoothing_along"});
   }
-  if (const AlongFault& rise = check.rise; std::abs(rise.size) > limit) {
+  if (const AlongFault& rise = check.rise; std::abs(rise.size) > notable_swing) {
     warnings.push_back({WarningClass::profile_swing,
                         "the " + body + (rise.size > 0.0 ? " rises by " : " falls by ") +
                             short_text_of(std::abs(rise.size)) + " mm within " +

@@ -11,20 +11,6 @@ namespace wrc {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// How far a node of the scan can lie above the minimum next to it, mm.
-/// origin: derived: s^2 / (2 R) = 0.008 with nodes 0.5 mm apart, so s <= 0.25 mm, and relative
-/// curvatures 1 / R up to 1 / (4 mm).
-constexpr double scan_slack = 0.01;
-/// Contacts within this distance of the end of a profile, mm of arc, get a warning.
-/// origin: reasoned: far above position_tolerance and far below any element.
-constexpr double end_tolerance = 1e-6;
-/// Samples along a ridge under yaw, at least, ...
-/// origin: reasoned: distances are a parabola there, as between any two samples.
-constexpr int ridge_samples = 8;
-/// ... and how far apart they are across the rail at most when the least distance is searched, mm.
-/// origin: reasoned: the rail's head has radii from 13 mm; only with a yaw of 0.1 rad or more and
-/// large wheels does a ridge reach farther than this in each of its samples.
-constexpr double ridge_spacing = 1.0;
 
 } // namespace
 
@@ -169,7 +155,7 @@ int SideSearch::searched_places(const Ridge& ridge) const {
   };
   const double across =
       wheel_.largest_radius() * (sine_at(1.0) - sine_at(0.0)) * pose_.rotation.sin_yaw;
-  return std::max(ridge_samples, static_cast<int>(std::abs(across) / ridge_spacing));
+  return std::max(least_ridge_samples, static_cast<int>(std::abs(across) / ridge_sample_spacing));
 }
 
 /// Between the flanks of a ridge, where the locus comes down to it from both, or where the ridge
@@ -373,7 +359,7 @@ DistanceSample SideSearch::sample(const LocusSpot& spot) const {
 
 /// The points of a ridge between those of its flanks.
 void SideSearch::add_ridge(const Ridge& ridge, std::vector<DistanceSample>& samples) const {
-  for (const auto& [turned, meeting] : ridge_places(ridge, ridge_samples)) {
+  for (const auto& [turned, meeting] : ridge_places(ridge, least_ridge_samples)) {
     if (!meeting.exists || turned >= 1.0) {
       continue;
     }
@@ -390,7 +376,7 @@ void SideSearch::add_ridge(const Ridge& ridge, std::vector<DistanceSample>& samp
 std::vector<DistanceSample> SideSearch::samples() const {
   std::vector<DistanceSample> samples;
   samples.reserve(scan_.last() - scan_.first() + edges_.size() +
-                  ridge_samples * wheel_.ridges().size());
+                  least_ridge_samples * wheel_.ridges().size());
   const ProfileNodes& nodes = wheel_.nodes();
   auto edge = edges_.begin();
   auto ridge = wheel_.ridges().begin();
@@ -427,9 +413,9 @@ ContactCandidate SideSearch::candidate(const LocusSpot& spot) const {
   result.rail_angle = std::atan(rail_slope);
   const CurveGraph& graph = wheel_.graph();
   const double wheel_arc = graph.curve().starts()[graph.first_piece() + spot.piece] + spot.along;
-  const double rail_reach = end_tolerance / std::sqrt(1.0 + rail_slope * rail_slope);
-  result.at_profile_end = wheel_arc <= graph.arc_begin() + end_tolerance ||
-                          wheel_arc >= graph.arc_end() - end_tolerance ||
+  const double rail_reach = same_place / std::sqrt(1.0 + rail_slope * rail_slope);
+  result.at_profile_end = wheel_arc <= graph.arc_begin() + same_place ||
+                          wheel_arc >= graph.arc_end() - same_place ||
                           y <= rail_.begin() + rail_reach || y >= rail_.end() - rail_reach;
   return result;
 }

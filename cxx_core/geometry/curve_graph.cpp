@@ -4,17 +4,11 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "geometry/constants.hpp"
 #include "profile/crown.hpp"
 
 namespace wrc {
 namespace {
-
-/// Smallest d lateral / d arc that still counts as a graph: the cosine of 89.4 degrees.
-/// origin: reasoned: no contact carries on so steep a flank, and the table of heights stays small
-/// (max_halvings in height_function.cpp is for slopes up to 100).
-constexpr double min_tangent_lateral = 0.01;
-/// origin: bound: within a piece Newton's method takes 3 to 5 steps; the limit ends a cycle.
-constexpr int newton_limit = 30;
 
 bool is_graph_piece(const Curve& curve, std::size_t piece) {
   const double length = curve.starts()[piece + 1] - curve.starts()[piece];
@@ -77,7 +71,7 @@ CurvePoint CurveGraph::at_lateral(double lateral, double& arc) const {
   const double width = laterals_[index + 1] - laterals_[index];
   double distance = std::clamp(length * (lateral - laterals_[index]) / width, 0.0, length);
   CurvePoint point = curve_.at(piece, distance);
-  for (int iteration = 0; iteration < newton_limit; ++iteration) {
+  for (int iteration = 0; iteration < graph_newton_limit; ++iteration) {
     const double next =
         std::clamp(distance + (lateral - point.lateral) / point.tangent_lateral, 0.0, length);
     const double change = std::abs(next - distance);

@@ -8,10 +8,6 @@
 namespace wrc {
 namespace {
 
-/// Halvings of a piece of 0.5 mm at most; the last is used as it is.
-/// origin: bound: the error falls by 2^6 a halving, and slopes up to 100 stretch pieces so much.
-constexpr int max_halvings = 12;
-
 QuinticValues graph_values(const CurvePoint& point) {
   const double inverse = 1.0 / point.tangent_lateral;
   const double bend =
@@ -74,7 +70,7 @@ void HeightFunction::add(const Curve& curve, std::size_t curve_piece, double fro
     const double off = evaluate(trial, point.lateral - begin.lateral).value - point.height;
     met = met && std::abs(off * point.tangent_lateral) <= position_tolerance;
   }
-  if (met || halvings == max_halvings) {
+  if (met || halvings == max_height_halvings) {
     pieces_.push_back({begin.lateral, trial, end.lateral});
     return;
   }

@@ -10,13 +10,6 @@
 namespace wrc {
 namespace {
 
-/// Searches for the point over which an inclined rail's highest point lies.
-/// origin: bound: the height changes the lateral place by the sine of the inclination alone.
-constexpr int inclined_steps = 3;
-/// Steps along an edge of a sheet, after which a line passes beside it.
-/// origin: reasoned: lines that meet the edge itself turn back at once.
-constexpr int edge_steps = 4;
-
 GraphPoint graph_of(const HeightPoint& point) {
   GraphPoint graph;
   graph.height = point.height;
@@ -68,7 +61,7 @@ std::optional<double> RailLine::meet_curve(const Vector3& base, const Vector3& d
   const double ny = direction.y;
   const double nz = direction.z;
   double arc = arc_;
-  double largest_step = first_ray_step;
+  double largest_step = longest_newton_step;
   for (int iteration = 0; iteration < max_newton_steps; ++iteration) {
     if (iteration > 0 || arc != arc_of_point_) {
       point_ = on_curve(arc);
@@ -118,7 +111,7 @@ std::optional<double> RailLine::meet_sheet(std::size_t index, Start from, const 
   const SurfaceSheet& sheet = rail_.slices_->sheets()[index];
   const Stretch across = sheet.across();
   const Stretch along = sheet.along();
-  double largest_step = first_ray_step;
+  double largest_step = longest_newton_step;
   int at_edge = 0;
   for (int iteration = 0; iteration < max_newton_steps; ++iteration) {
     const SheetPoint point = placed(sheet, from.across, from.along);
@@ -151,7 +144,7 @@ std::optional<double> RailLine::meet_sheet(std::size_t index, Start from, const 
         std::clamp(wanted.along, along.begin - rail_.along(), along.end - rail_.along())};
     const bool is_inside = next.across == wanted.across && next.along == wanted.along;
     at_edge = is_inside ? 0 : at_edge + 1;
-    if (at_edge > edge_steps || (next.across == from.across && next.along == from.along)) {
+    if (at_edge > sheet_edge_steps || (next.across == from.across && next.along == from.along)) {
       return std::nullopt; // beyond the sheet's edge
     }
     from = next;
@@ -166,7 +159,7 @@ std::optional<double> RailLine::meet_sheet(std::size_t index, Start from, const 
 std::optional<double> RailLine::meet_highest(const Vector3& base, const Vector3& direction) {
   double z = base.z;
   std::optional<GraphPoint> found;
-  for (int step = 0; step < (sine_ == 0.0 ? 1 : inclined_steps); ++step) {
+  for (int step = 0; step < (sine_ == 0.0 ? 1 : inclined_top_steps); ++step) {
     double lateral = 0.0;
     double height = 0.0;
     rail_.to_profile_frame(base.y, z, lateral, height);

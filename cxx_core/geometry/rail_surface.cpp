@@ -4,16 +4,10 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "geometry/constants.hpp"
 
 namespace wrc {
 namespace {
-
-/// Distance of the axis of a body without gauge face from the place of a gauge face, mm.
-/// origin: published: running circles are 1500 mm apart, on a gauge of 1435 mm (EN 15302).
-constexpr double axis_distance = 32.5;
-/// A gauge face falls at least by this slope.
-/// origin: published: gauge corners turn to 87 degrees (EN 13674-1); a crown turns by 19 degrees.
-constexpr double least_face_slope = 1.0;
 
 /// Least lateral coordinate of a curve between two arc lengths: where it turns back, or at an end.
 double least_lateral_of(const Curve& curve, double from, double to) {
@@ -55,7 +49,7 @@ std::optional<double> lateral_of_gauge_face(const Curve& curve, double top_arc, 
     }
   }
   const CurvePoint end = curve.at(0.0);
-  if (end.tangent_height < least_face_slope * end.tangent_lateral) {
+  if (end.tangent_height < least_gauge_face_slope * end.tangent_lateral) {
     return std::nullopt;
   }
   throw_invalid_argument("track.gauge_height", gauge_height,
@@ -81,7 +75,7 @@ RailSurface RailSurface::place(const Curve& profile, const TrackDimensions& trac
   const double top = inclined.at(top_arc).height;
   const std::optional<double> face =
       lateral_of_gauge_face(inclined, top_arc, top - track.gauge_height, track.gauge_height);
-  const double lateral_shift = 0.5 * track.gauge + (face ? -*face : axis_distance);
+  const double lateral_shift = 0.5 * track.gauge + (face ? -*face : axis_from_gauge_face);
   CurveGraph graph(profile.without_steps().moved(track.inclination, lateral_shift, -top), top_arc);
   auto nominal = std::make_shared<const Curve>(graph.curve());
   RailSurface surface{std::move(graph),  std::move(nominal), top_arc,

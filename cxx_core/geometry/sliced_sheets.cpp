@@ -5,14 +5,11 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "geometry/constants.hpp"
 #include "profile/limits.hpp"
 
 namespace wrc {
 namespace {
-
-/// Smoothing length of a list that asks for smoothing without a length, in distances of slices.
-/// origin: reasoned: slices do not resolve waves of two distances, and hardly those of three.
-constexpr double smoothed_distances = 4.0;
 
 std::size_t part_count(const SlicedProfile& profile) {
   const std::size_t features = profile.slices.front().features.size();
@@ -52,7 +49,7 @@ void check_smoothing_length(const std::string& name, const std::vector<SheetSect
   for (std::size_t i = 1; i < sections.size(); ++i) {
     closest = std::min(closest, sections[i].place - sections[i - 1].place);
   }
-  const double most = AlongSpline::longest_smoothing * closest;
+  const double most = longest_along_smoothing * closest;
   if (closest > 0.0 && smoothing_length > most) {
     const auto text = [&unit](double length) {
       const double value = unit.of_place * length;
@@ -60,8 +57,7 @@ void check_smoothing_length(const std::string& name, const std::vector<SheetSect
              std::string(unit.name);
     };
     throw_invalid_argument("smoothing length along profile " + name, text(smoothing_length),
-                           "at most " + text(most) + ", " +
-                               text_of(AlongSpline::longest_smoothing) +
+                           "at most " + text(most) + ", " + text_of(longest_along_smoothing) +
                                " times the smallest distance between two slices, " + text(closest));
   }
 }
@@ -100,7 +96,7 @@ double smoothing_length_of(const SlicedProfile& profile, std::optional<double> g
   }
   const auto median = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), median, distances.end());
-  return smoothed_distances * *median;
+  return smoothed_slice_distances * *median;
 }
 
 std::vector<SurfaceSheet> sheets_of(const SlicedProfile& profile, double smoothing_length,

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "geometry/constants.hpp"
+#include "profile/constants.hpp"
 
 namespace wrc {
 namespace {
@@ -15,12 +17,6 @@ namespace {
 /// A bound of input (not a tuning constant): waves of 3 mm on a wheel of 460 mm.
 constexpr int max_order = 1000;
 constexpr double revolution = 2.0 * std::numbers::pi;
-/// Difference of sections that counts as none, mm.
-/// origin: bound: a hundredth of the approach under the least loads.
-constexpr double same_section = 1e-9;
-/// By which another part may be nearer to a wheel than this one, mm.
-/// origin: bound: of flanges, 26 to 36 mm (EN 13715), worn ones included.
-constexpr double flange_height = 40.0;
 
 double distance_along(const SurfaceSheet& sheet, double along) {
   if (sheet.holds(along)) {
@@ -102,14 +98,14 @@ std::vector<ConstantStretch> SlicedSurface::constant_stretches() const {
     return stretches;
   }
   for (const SurfaceSheet& sheet : sheets_) {
-    for (const Stretch& stretch : sheet.constant_stretches(same_section)) {
+    for (const Stretch& stretch : sheet.constant_stretches(negligible_length)) {
       std::vector<Stretch> alone{stretch};
       double rise = sheet.rise_over(stretch.begin);
       for (const SurfaceSheet& other : sheets_) {
         if (&other == &sheet) {
           continue;
         }
-        rise = flange_height;
+        rise = highest_flange;
         std::vector<Stretch> left;
         for (const Stretch& part : alone) {
           const Stretch taken = other.along();

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "geometry/constants.hpp"
 #include "geometry/feature_map.hpp"
 #include "profile/segments.hpp"
 
@@ -13,13 +14,6 @@ namespace {
 
 /// Bound of memory, 400 MB (not a tuning constant).
 constexpr std::size_t max_nodes = std::size_t{1} << 21;
-/// Share of the tangent that is lateral, below which a side is vertical: 89.4 degrees, as of
-/// curve_graph.hpp.
-/// origin: reasoned: beyond it rounding of the lateral coordinate moves the height a hundredfold.
-constexpr double least_lateral_share = 0.01;
-/// Places between two knots at which sections are compared with those at the knots.
-/// origin: reasoned: cubics along have at most two extremes in between.
-constexpr std::array<double, 5> fold_places{0.0, 0.25, 0.5, 0.75, 1.0};
 
 constexpr std::size_t most_listed = 10; // folds in a message; not a tuning constant
 
@@ -249,13 +243,17 @@ bool SurfaceSheet::is_folded(std::size_t piece, std::size_t interval) const {
   const double step = spline_.knots()[interval + 1] - spline_.knots()[interval];
   const Position begin = at(piece, distance, {interval, step, 0.0}).across;
   const Position end = at(piece, distance, {interval, step, 1.0}).across;
-  return std::any_of(fold_places.begin(), fold_places.end(), [&](double fraction) {
+  for (int part = 0; part <= interval_parts; ++part) {
+    const double fraction = static_cast<double>(part) / interval_parts;
     const Position across = at(piece, distance, {interval, step, fraction}).across;
     const auto follows = [&across](const Position& other) {
       return across[0] * other[0] + across[1] * other[1] > 0.0;
     };
-    return !follows(begin) || !follows(end);
-  });
+    if (!follows(begin) || !follows(end)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 void SurfaceSheet::refuse_folds(std::span<const SheetSection> sections) const {
@@ -416,7 +414,7 @@ std::optional<GraphPoint> SurfaceSheet::over(double along, double lateral) const
         root_of(section, lateral, starts_[piece + 1] - starts_[piece], at_low < at_high);
     const SheetPoint point = at(piece, distance, place);
     if (std::abs(point.across[0]) <
-        least_lateral_share * std::hypot(point.across[0], point.across[1])) {
+        min_tangent_lateral * std::hypot(point.across[0], point.across[1])) {
       continue;
     }
     if (!highest || point.at[1] > highest->height) {

@@ -12,46 +12,6 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// Greatest distance of rows, mm.
-/// origin: reasoned: the node distance of profile curves (contact_search.hpp).
-constexpr double row_spacing = 0.5;
-/// The coarse scan takes rows up to this far apart, and places along them, mm.
-/// origin: reasoned: slices of noses and flats are that far apart.
-constexpr double coarse_row_spacing = 2.0;
-constexpr double coarse_step = 5.0;
-/// Chains are followed up to this height above the least distance, mm.
-/// origin: reasoned: more than ten times as deep as wheels sink under any load.
-constexpr double chain_height = 50.0 * typical_depth;
-/// Rows that may be in contact, above the least distance, mm.
-/// origin: reasoned: half more than wheels sink under any load.
-constexpr double near_height = 1.5 * greatest_depth;
-/// Slope that stands for that beside a least distance without curvature.
-/// origin: bound: above rounding.
-constexpr double least_slope = 1e-14;
-/// Below this half length the parabola is that of the least distance itself, mm.
-/// origin: derived: distances of 1e-7 mm, with six digits.
-constexpr double least_half = 1e-2;
-/// Longest half length of that parabola, mm.
-/// origin: bound: half of the longest flats.
-constexpr double longest_half = 60.0;
-/// Curvature of the flattest such parabola.
-/// origin: derived: from both.
-constexpr double least_curvature = 2.0 * typical_depth / (longest_half * longest_half);
-/// Steps along a row, mm.
-/// origin: reasoned: below the distance of two minima.
-constexpr double longest_step = 4.0;
-constexpr int most_steps = 60; // a bound
-/// Halvings of the way from row to row where the least distance moves far along the rail: under
-/// yaw, beside flanges, by 12 mm in 0.4 mm.
-/// origin: bound: 0.03 mm.
-constexpr int most_halvings = 4;
-/// To which least distances along a row are found, mm.
-/// origin: derived: distances are then right to 1e-19 mm, their derivatives to 1e-11.
-constexpr double row_tolerance = 1e-9;
-/// Two chains closer than this on a row are one, mm.
-/// origin: reasoned: far above the tolerance, far below the step of the scan.
-constexpr double same_chain = 1e-3;
-
 /// Of the circle through a place beside its lowest point.
 double curvature_of(double length, double height) {
   return 2.0 * height / (length * length + height * height);
@@ -69,10 +29,12 @@ double half_length(GapField& field, const VaryingSearch::Spot& spot, double sign
   };
   const auto on_circle = [&](const Place& through) {
     const double height = through.height + typical_depth;
-    const double curvature =
-        through.length > least_half ? curvature_of(through.length, height) : spot.point.gap.xx;
-    return std::sqrt(std::max(0.0, 2.0 / std::max(curvature, least_curvature) - typical_depth) *
-                     typical_depth);
+    const double curvature = through.length > least_valley_half
+                                 ? curvature_of(through.length, height)
+                                 : spot.point.gap.xx;
+    return std::sqrt(
+        std::max(0.0, 2.0 / std::max(curvature, least_valley_curvature) - typical_depth) *
+        typical_depth);
   };
   const auto at = [&](double length) -> std::optional<Place> {
     const auto point = field.at(spot.x + sign * length, spot.y);
@@ -82,9 +44,10 @@ double half_length(GapField& field, const VaryingSearch::Spot& spot, double sign
     return Place{length, sign * point->gap.x,
                  point->gap.value - spot.point.gap.value - typical_depth};
   };
-  Place inside{0.0, std::max(row_tolerance * spot.point.gap.xx, least_slope), -typical_depth};
+  Place inside{0.0, std::max(row_tolerance * spot.point.gap.xx, least_valley_slope),
+               -typical_depth};
   Place outside = inside;
-  double step = longest_step;
+  double step = longest_newton_step;
   while (outside.height < 0.0 && outside.slope > 0.0) {
     inside = outside;
     auto next = at(inside.length + step);
@@ -92,7 +55,7 @@ double half_length(GapField& field, const VaryingSearch::Spot& spot, double sign
       step *= 0.5;
       next = at(inside.length + step);
     }
-    if (!next || inside.length + step > longest_half) {
+    if (!next || inside.length + step > longest_valley_half) {
       return on_circle(inside);
     }
     outside = *next;
@@ -116,7 +79,7 @@ double half_length(GapField& field, const VaryingSearch::Spot& spot, double sign
   // Newton's method within the bracket, from where a secant meets the depth.
   double length = inside.length + (outside.length - inside.length) * inside.height /
                                       (inside.height - outside.height);
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_row_steps; ++step) {
     const auto found = at(length);
     if (!found) {
       break;
@@ -177,11 +140,13 @@ std::optional<VaryingSearch::Spot> VaryingSearch::least_in_row(GapField& field, 
   }
   double low = -unbounded; // distances fall there, and rise at `high`
   double high = unbounded;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_row_steps; ++step) {
     const Graph& gap = point->gap;
     (gap.x < 0.0 ? low : high) = x;
-    double move = gap.xx > 0.0 ? -gap.x / gap.xx : gap.x < 0.0 ? longest_step : -longest_step;
-    move = std::clamp(move, -longest_step, longest_step);
+    double move = gap.xx > 0.0  ? -gap.x / gap.xx
+                  : gap.x < 0.0 ? longest_newton_step
+                                : -longest_newton_step;
+    move = std::clamp(move, -longest_newton_step, longest_newton_step);
     const bool is_inside = x + move > low && x + move < high;
     if (!is_inside && std::isfinite(low) && std::isfinite(high)) {
       move = 0.5 * (low + high) - x;
@@ -216,12 +181,13 @@ std::vector<VaryingSearch::Spot> VaryingSearch::coarse_minima() {
   }
   double steepest = steepest_along;
   if (rail_.is_prismatic_along(along_track)) {
-    steepest = std::min(steepest, wheel_.touch_slope(pose_.yaw) + coarse_step / wheel_.radius());
+    steepest =
+        std::min(steepest, wheel_.touch_slope(pose_.yaw) + coarse_row_step / wheel_.radius());
   }
-  const auto reach = std::ceil(steepest * wheel_.radius() / coarse_step);
+  const auto reach = std::ceil(steepest * wheel_.radius() / coarse_row_step);
   const auto places = static_cast<std::size_t>(2.0 * reach) + 1;
   const auto x_of = [&](std::size_t place) {
-    return coarse_step * (static_cast<double>(place) - reach);
+    return coarse_row_step * (static_cast<double>(place) - reach);
   };
   std::vector<double> gaps(places * rows.size()); // by places, then rows
   for (std::size_t i = 0; i < places; ++i) {
@@ -260,7 +226,7 @@ bool VaryingSearch::is_known(const Spot& spot) const {
 /// nearest one, which may be another. None if there is none, as far as halvings of the way show.
 std::optional<VaryingSearch::Spot> VaryingSearch::followed(const Spot& from, const Spot& found,
                                                            int halvings) {
-  if (std::abs(found.x - from.x) <= coarse_step) {
+  if (std::abs(found.x - from.x) <= coarse_row_step) {
     return found;
   }
   const auto middle =
@@ -299,7 +265,7 @@ std::optional<VaryingSearch::Spot> VaryingSearch::track(Chain& chain, std::size_
       }
       return std::nullopt;
     }
-    const auto same = followed(before, *next, most_halvings);
+    const auto same = followed(before, *next, most_row_halvings);
     if (!same) {
       return next;
     }
@@ -411,12 +377,13 @@ VaryingSearch::HalfLengths VaryingSearch::half_lengths(GapField& field, const Sp
 /// distance between this wheel and the prismatic rail.
 DistanceSample VaryingSearch::sample(const Spot& spot, bool is_near) {
   const Graph& rail = spot.point.rail;
-  DistanceSample result{{{spot.x, spot.y, rail.value + spot.point.gap.value},
-                         spot.point.wheel_lateral,
-                         std::max(spot.point.gap.xx, least_curvature)}, // where a body ends, any
-                        spot.point.gap.value,
-                        rail.y,
-                        rail.x};
+  DistanceSample result{
+      {{spot.x, spot.y, rail.value + spot.point.gap.value},
+       spot.point.wheel_lateral,
+       std::max(spot.point.gap.xx, least_valley_curvature)}, // where a body ends, any
+      spot.point.gap.value,
+      rail.y,
+      rail.x};
   if (!is_near || spot.at_end) {
     return result;
   }
@@ -468,7 +435,7 @@ std::vector<ContactScan> VaryingSearch::scans(double near_tolerance) {
     field_->restart();
     const std::vector<Spot>& rows = chains_[k].rows;
     const auto is_near = [&](std::size_t i) {
-      return i < rows.size() && rows[i].point.gap.value <= least + near_height;
+      return i < rows.size() && rows[i].point.gap.value <= least + near_chain_height;
     };
     for (std::size_t i = 0; i < rows.size(); ++i) { // with the next ones, whose curvature counts
       scan.samples.push_back(sample(rows[i], is_near(i - 1) || is_near(i) || is_near(i + 1)));
@@ -483,7 +450,7 @@ std::optional<VaryingSearch::Spot> VaryingSearch::follow(const Pose& pose, const
   field_.emplace(wheel_, rail_, pose);
   double y = from.y;
   auto spot = least_in_row(*field_, from.x, y);
-  for (int step = 0; spot && step < most_steps; ++step) {
+  for (int step = 0; spot && step < most_row_steps; ++step) {
     const Graph& gap = spot->point.gap;
     const double second = gap.yy - gap.xy * gap.xy / gap.xx; // of the row's least distance
     const double move = std::clamp(-gap.y / std::max(second, 1e-3), -row_spacing, row_spacing);

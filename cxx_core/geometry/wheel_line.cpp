@@ -33,7 +33,7 @@ std::optional<double> WheelLine::meet(const Vector3& from, const Vector3& direct
     return std::nullopt;
   }
   double position = (-b - std::sqrt(discriminant)) / a;
-  double largest_step = first_ray_step;
+  double largest_step = longest_newton_step;
   for (int iteration = 0; iteration < max_newton_steps; ++iteration) {
     const Vector3 body = from + position * direction;
     lateral_ = body.y;

@@ -12,17 +12,6 @@
 namespace wrc {
 namespace {
 
-/// Change of slope above which a node is a ridge.
-/// origin: reasoned: with a radius of 500 mm and a yaw of 0.1 rad the locus jumps by 0.05 mm along
-/// the rail there, less than any element.
-constexpr double ridge_turn = 1e-3;
-/// Slope of the steepest flank that touches a rail.
-/// origin: bound: 80 degrees, where flanges of standards have 70.
-constexpr double steepest_flank = 6.0;
-/// Height above first touch at which a wheel is out of reach, mm.
-/// origin: bound: ten times the greatest depth.
-constexpr double out_of_reach = 10.0 * greatest_depth;
-
 double seed_of_wheel(const Curve& curve) {
   // The piece that holds the taping line, s = 0, or the middle if the profile does not reach it.
   for (std::size_t piece = 0; piece < curve.piece_count(); ++piece) {
@@ -96,7 +85,7 @@ WheelSurface WheelSurface::turned(double pitch) const {
 
 double WheelSurface::touch_angle(double yaw, double rise, bool varies) const {
   const double of_locus = steepest_flank * std::abs(std::sin(yaw));
-  const double above = (out_of_reach + rise) / radius_;
+  const double above = (wheel_out_of_reach + rise) / radius_;
   const double of_slope = varies ? std::asin(steepest_along) : 0.0;
   return of_locus < 1.0 && above < 1.0 ? std::asin(of_locus) + std::acos(1.0 - above) + of_slope
                                        : std::numeric_limits<double>::infinity();

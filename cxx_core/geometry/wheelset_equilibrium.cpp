@@ -7,30 +7,13 @@
 #include "base/error.hpp"
 #include "geometry/constants.hpp"
 #include "geometry/varying_search.hpp"
+#include "profile/constants.hpp"
 
 namespace wrc {
 namespace {
 
 /// The permitted range of pose.roll, rad (not a tuning constant).
 constexpr double max_roll = 0.2;
-/// The search for the roll continues until the two least distances agree to position_tolerance, and
-/// accepts this, mm, where rounding allows no better.
-/// origin: reasoned: 1e-9 mm is 1e-8 of the depth under 80 kN, far below any accuracy.
-constexpr double acceptable_distance = 1e-9;
-/// To which least distances agree where bodies vary, mm.
-/// origin: derived: lines meet surfaces to ray_tolerance, a hundredth of this.
-constexpr double varying_tolerance = 1e-10;
-/// origin: bound: every halving_period-th search halves the bracket of 0.4 rad: 4e-7 rad are left
-/// after 100 at the worst.
-constexpr int iteration_limit = 100;
-/// Newton's method on the contacts followed ends at this, mm, or after some steps.
-/// origin: derived: a fifth of position_tolerance, so that the global search confirms it.
-constexpr double followed_tolerance = 0.2 * position_tolerance;
-/// origin: bound: quadratic convergence takes 3 to 5 steps; more only where contacts change.
-constexpr int follow_limit = 12;
-/// After this number of global searches the bracket is halved, whatever Newton's method says.
-/// origin: reasoned: usually one or two searches do, which this must not disturb.
-constexpr int halving_period = 5;
 /// Derivative of a side's least distance with respect to the side's own roll. A point fixed in the
 /// wheelset moves by d(y, z) / d roll = (-cos(yaw) z', y'), with (y', z') its position before the
 /// yaw is applied.
@@ -135,7 +118,7 @@ public:
     double roll = 0.0;
     std::optional<double> standing; // a roll with both wheels over their rails
     bool off_the_rail = false;
-    for (int iteration = 1; iteration <= iteration_limit; ++iteration) {
+    for (int iteration = 1; iteration <= max_roll_searches; ++iteration) {
       const Pose pose{lateral_, yaw_, roll};
       if (!scan_both(pose, standing.has_value())) {
         // Large wheels roll off their rails long before the limit: back to where both stood.
@@ -151,10 +134,11 @@ public:
       }
       (found.difference() < 0.0 ? low_ : high_) = roll;
       const double middle = 0.5 * (low_ + high_);
-      const double next = iteration % halving_period == 0 ? middle : follow(roll, found, middle);
-      if (next == roll || !(high_ - low_ > 1e-18) || iteration == iteration_limit) {
+      const double next =
+          iteration % roll_halving_period == 0 ? middle : follow(roll, found, middle);
+      if (next == roll || !(high_ - low_ > 1e-18) || iteration == max_roll_searches) {
         // No double lies closer to the root, or there is no root within the limits.
-        if (std::abs(found.difference()) <= acceptable_distance) {
+        if (std::abs(found.difference()) <= negligible_length) {
           return roll;
         }
         break;
@@ -187,7 +171,7 @@ private:
   }
 
   [[nodiscard]] double tolerance() const {
-    return left_.varies() || right_.varies() ? varying_tolerance : position_tolerance;
+    return left_.varies() || right_.varies() ? varying_roll_tolerance : position_tolerance;
   }
 
   [[nodiscard]] double newton_step(double roll, const Pair& spots) const {
@@ -203,7 +187,7 @@ private:
     if (!(next > low_ && next < high_)) {
       return middle;
     }
-    for (int step = 0; step < follow_limit; ++step) {
+    for (int step = 0; step < followed_contact_steps; ++step) {
       const Pose pose{lateral_, yaw_, next};
       const auto left = left_.follow(pose, spots.left);
       const auto right = right_.follow(mirrored(pose), spots.right);
@@ -211,7 +195,7 @@ private:
         return next;
       }
       spots = {*left, *right};
-      if (std::abs(spots.difference()) <= followed_tolerance) {
+      if (std::abs(spots.difference()) <= followed_contact_tolerance) {
         return next;
       }
       const double after = newton_step(next, spots);

@@ -6,15 +6,13 @@
 #include <functional>
 
 #include "base/vector_clones.hpp"
+#include "half_space/constants.hpp"
 
 namespace wrc {
 
 namespace {
 
-/// Rows that are transposed together, as pairs.
-/// origin: derived: eight single-precision complex values fill a cache line of 64 bytes.
-constexpr std::size_t block_rows = 8;
-static_assert(block_rows / 2 == LineFft<float>::block_lines);
+static_assert(transposed_rows / 2 == block_lines);
 
 template <typename Real>
 WRC_VECTOR_BODY void multiply_body(Real* values, const Real* factors, std::size_t count) {
@@ -51,7 +49,7 @@ WRC_VECTOR_BODY void scatter_body(const Real* lines, std::size_t line_pitch, std
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t mirrored = k == 0 ? 0 : length - k;
     Real* to = columns + 2 * k * column_pitch;
-    for (std::size_t pair = 0; pair < block_rows / 2; ++pair) {
+    for (std::size_t pair = 0; pair < transposed_rows / 2; ++pair) {
       const Real* z = lines + 2 * pair * line_pitch;
       const Real x = z[2 * k];
       const Real y = z[2 * k + 1];
@@ -72,7 +70,7 @@ WRC_VECTOR_BODY void gather_body(const Real* columns, std::size_t column_pitch, 
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t mirrored = k == 0 ? 0 : length - k;
     const Real* from = columns + 2 * k * column_pitch;
-    for (std::size_t pair = 0; pair < block_rows / 2; ++pair) {
+    for (std::size_t pair = 0; pair < transposed_rows / 2; ++pair) {
       const Real a = from[4 * pair];
       const Real b = from[4 * pair + 1];
       const Real c = from[4 * pair + 2];
@@ -235,9 +233,9 @@ void BoxConvolution<Real>::convolve(const Real* in, Real* out,
   const std::size_t line_pitch = aligned_pitch<Complex>(length);
   const std::size_t max_rows = std::max(shape_.rows_in, shape_.rows_out);
   const std::size_t column_pitch =
-      aligned_pitch<Complex>((max_rows + block_rows - 1) / block_rows * block_rows);
-  provide(workspace.lines, block_rows / 2 * line_pitch);
-  provide(workspace.spectral_lines, block_rows / 2 * line_pitch);
+      aligned_pitch<Complex>((max_rows + transposed_rows - 1) / transposed_rows * transposed_rows);
+  provide(workspace.lines, transposed_rows / 2 * line_pitch);
+  provide(workspace.spectral_lines, transposed_rows / 2 * line_pitch);
   provide(workspace.columns, spectral_length * column_pitch);
   const Lines lines{length,
                     spectral_length,
@@ -253,12 +251,12 @@ void BoxConvolution<Real>::convolve(const Real* in, Real* out,
 
 template <typename Real>
 void BoxConvolution<Real>::transform_rows(const Real* in, const Lines& to) const {
-  for (std::size_t pair = 0; pair < block_rows / 2; ++pair) {
+  for (std::size_t pair = 0; pair < transposed_rows / 2; ++pair) {
     std::fill_n(to.lines + pair * to.line_pitch, to.length, Complex{});
   }
-  for (std::size_t first = 0; first < shape_.rows_in; first += block_rows) {
-    const std::size_t end = std::min(first + block_rows, shape_.rows_in);
-    for (std::size_t row = first; row < first + block_rows; row += 2) {
+  for (std::size_t first = 0; first < shape_.rows_in; first += transposed_rows) {
+    const std::size_t end = std::min(first + transposed_rows, shape_.rows_in);
+    for (std::size_t row = first; row < first + transposed_rows; row += 2) {
       Complex* pair_line = to.lines + (row - first) / 2 * to.line_pitch;
       if (row + 1 < end) {
         interleave(in + row * shape_.columns_in, in + (row + 1) * shape_.columns_in,
@@ -270,7 +268,7 @@ void BoxConvolution<Real>::transform_rows(const Real* in, const Lines& to) const
         }
       }
     }
-    row_fft_->forward(to.lines, to.spectral_lines, block_rows / 2);
+    row_fft_->forward(to.lines, to.spectral_lines, transposed_rows / 2);
     scatter(pairs_of(to.spectral_lines), to.line_pitch, to.length, pairs_of(to.columns + first),
             to.column_pitch, to.spectral_length);
   }
@@ -283,7 +281,8 @@ void BoxConvolution<Real>::convolve_columns(const Lines& at,
   const std::size_t group_pitch = aligned_pitch<Complex>(spectrum_->rows);
   provide(workspace.column_lines, group * group_pitch);
   provide(workspace.column_spectra, group * group_pitch);
-  const std::size_t padded_rows = (shape_.rows_out + block_rows - 1) / block_rows * block_rows;
+  const std::size_t padded_rows =
+      (shape_.rows_out + transposed_rows - 1) / transposed_rows * transposed_rows;
   // Displacements before the first pressure are found at the end of the period.
   const auto shift = static_cast<std::ptrdiff_t>(spectrum_->rows);
   const auto first_out = static_cast<std::size_t>((shape_.row_offset % shift + shift) % shift);
@@ -320,8 +319,8 @@ void BoxConvolution<Real>::transform_rows_back(const Lines& from, Real* out) con
   const auto period = static_cast<std::ptrdiff_t>(from.length);
   const auto start = static_cast<std::size_t>((shape_.column_offset % period + period) % period);
   const std::size_t until_end = std::min(shape_.columns_out, from.length - start);
-  for (std::size_t first = 0; first < shape_.rows_out; first += block_rows) {
-    const std::size_t last = std::min(first + block_rows, shape_.rows_out);
+  for (std::size_t first = 0; first < shape_.rows_out; first += transposed_rows) {
+    const std::size_t last = std::min(first + transposed_rows, shape_.rows_out);
     gather(pairs_of(from.columns + first), from.column_pitch, pairs_of(from.spectral_lines),
            from.line_pitch, from.length, from.spectral_length);
     row_fft_->backward(from.spectral_lines, from.lines, (last - first + 1) / 2);

@@ -19,6 +19,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/stopwatch.hpp"
+#include "half_space/constants.hpp"
 
 namespace wrc {
 
@@ -84,12 +85,6 @@ void require_memory(std::size_t bytes) {
   }
   std::free(memory);
 }
-
-/// FFTW's tables when it first plans, in both precisions, and what a plan takes.
-/// origin: bound: 0.4 MB; 16 kB and 3 complex values per element of a line, rounded up.
-constexpr std::size_t memory_of_tables = std::size_t{1} << 20;
-constexpr std::size_t memory_of_plan = std::size_t{1} << 16;
-constexpr std::size_t memory_per_value = 64;
 
 [[noreturn]] void throw_no_memory(std::size_t rows, std::size_t columns) {
   throw Error(ErrorCode::out_of_memory, "no memory for a transform of " + std::to_string(rows) +
@@ -199,15 +194,6 @@ struct OneThread {
 #else
 struct OneThread {}; // FFTW belongs to the library there
 #endif
-
-/// Lines from this length on are fast one by one.
-/// origin: measured: single-precision lines of 12 to 32 values take 24 to 72 ns each in blocks,
-/// 83 to 230 ns one by one (docs/evidence/performance.md).
-constexpr std::size_t min_lone_line = 48;
-
-/// The longest line with odd factors above 5.
-/// origin: measured: longer ones are slower than the next power of two times 1, 3 or 5.
-constexpr std::size_t max_odd_line = 400;
 
 /// Parts of a wisdom file: both precisions, one after the other.
 constexpr const char* single_precision_mark = "single precision\n";
@@ -323,7 +309,7 @@ template <typename Real> void LineFft<Real>::plan(std::size_t length, PlannerRig
     return made;
   };
   const OneThread one_thread;
-  require_memory(memory_of_tables + 4 * memory_of_plan + length * memory_per_value);
+  require_memory(fft_memory_of_tables + 4 * fft_memory_of_plan + length * fft_memory_per_value);
   own.forward = plan(1, FFTW_FORWARD);
   own.backward = plan(1, FFTW_BACKWARD);
   if (lines > 1) {

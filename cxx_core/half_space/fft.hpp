@@ -27,6 +27,8 @@
 #include <new>
 #include <string>
 
+#include "half_space/constants.hpp"
+
 namespace wrc {
 
 /// How much work goes into the choice of an algorithm (FFTW's planner flags).
@@ -58,13 +60,10 @@ std::size_t fast_line_length(std::size_t least);
 /// Memory aligned for vector instructions; values are not initialised. At least one value.
 template <typename Value> class AlignedArray {
 public:
-  /// origin: derived: bytes of a cache line and of the widest vector register.
-  static constexpr std::size_t alignment = 64;
-
   AlignedArray() = default;
   explicit AlignedArray(std::size_t size)
       : values_(static_cast<Value*>(::operator new (std::max<std::size_t>(size, 1) * sizeof(Value),
-                                                    std::align_val_t{alignment}))),
+                                                    std::align_val_t{vector_alignment}))),
         size_(size) {}
 
   [[nodiscard]] Value* data() { return values_.get(); }
@@ -74,7 +73,7 @@ public:
 private:
   struct Release {
     void operator()(Value* values) const {
-      ::operator delete (values, std::align_val_t{alignment});
+      ::operator delete (values, std::align_val_t{vector_alignment});
     }
   };
   std::unique_ptr<Value, Release> values_;
@@ -90,7 +89,7 @@ template <typename Value> void provide(AlignedArray<Value>& array, std::size_t s
 
 /// Values per line in an array of lines, so that each line is aligned.
 template <typename Value> constexpr std::size_t aligned_pitch(std::size_t length) {
-  constexpr std::size_t unit = AlignedArray<Value>::alignment / sizeof(Value);
+  constexpr std::size_t unit = vector_alignment / sizeof(Value);
   return (length + unit - 1) / unit * unit;
 }
 
@@ -110,9 +109,6 @@ template <typename Real> const Real* pairs_of(const std::complex<Real>* values) 
 template <typename Real> class LineFft {
 public:
   using Complex = std::complex<Real>;
-  /// origin: derived: four single-precision complex values fill half a vector register of 64 bytes
-  /// and one of 32, so all instruction sets are served.
-  static constexpr std::size_t block_lines = 4;
 
   /// Throws Error(out_of_memory) if plans cannot be made.
   LineFft(std::size_t length, PlannerRigor rigor);

@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/constants.hpp"
 #include "base/vector_clones.hpp"
+#include "half_space/constants.hpp"
 #include "half_space/vector_log.hpp"
 
 namespace wrc {
@@ -151,17 +153,12 @@ WRC_VECTOR_CLONES void fill_far_row(const double* halves, double lateral_distanc
   }
 }
 
-/// Weight of the second differences in the coefficients of smooth elements.
-/// origin: derived: the mean of a quadratic over an element exceeds its value at the centre by
-/// 1/24 of the second difference.
-constexpr double smoothing = 1.0 / 24.0;
-
 /// The coefficient of a smooth element, from that of a constant one and those of its neighbours
 /// `before` and `after` across the rail and `left` and `right` along it.
 WRC_VECTOR_BODY double smoothed(double here, double before, double after, double left,
                                 double right) {
   const double others = (before + after) + (left + right);
-  return here - smoothing * (others - 4.0 * here);
+  return here - mean_excess_over_element * (others - 4.0 * here);
 }
 
 WRC_VECTOR_CLONES void fill_smoothed_row(const double* before, const double* here,

@@ -31,15 +31,9 @@
 #include <tuple>
 #include <vector>
 
+#include "half_space/constants.hpp"
+
 namespace wrc {
-
-/// From this distance on, in units of the element's longer side, the expansion is used.
-/// origin: derived: the expansion of order six is accurate to 3e-13 there, see above.
-inline constexpr double far_field_distance = 16.0;
-
-/// Relative change of the ratio of an element's sides by which its coefficients are differentiated.
-/// origin: derived: the differences' own error and rounding are both below 1e-6.
-inline constexpr double aspect_step = 1e-4;
 
 /// What the value of an element stands for.
 enum class Elements {

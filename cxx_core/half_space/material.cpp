@@ -5,17 +5,11 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "half_space/constants.hpp"
 
 namespace wrc {
 
 namespace {
-
-/// Fraction of the accuracy below which the effect of different materials counts as none.
-/// origin: reasoned: too little to show in any result.
-constexpr double negligible_effect = 1e-3;
-/// K of bodies whose constants differ by rounding only.
-/// origin: derived: four units in the last place of each of the terms of K, which are 0.25 at most.
-constexpr double rounding_of_difference = 1e-15;
 
 /// (1 - nu^2)/E, 1/MPa.
 double compliance(const Material& material, const std::string& body) {
@@ -52,8 +46,10 @@ ShearConstants shear_constants(const Material& wheel, const Material& rail) {
 }
 
 double effective_difference(double difference, double friction, double accuracy) {
-  const double negligible = negligible_effect * accuracy * std::min(friction, 1.0 / friction);
-  return std::abs(difference) > std::max(negligible, rounding_of_difference) ? difference : 0.0;
+  const double negligible =
+      negligible_material_effect * accuracy * std::min(friction, 1.0 / friction);
+  return std::abs(difference) > std::max(negligible, rounding_of_material_difference) ? difference
+                                                                                      : 0.0;
 }
 
 } // namespace wrc

@@ -13,7 +13,7 @@ namespace {
 
 /// Columns that are gathered at a time.
 /// origin: derived: a block of LineFft, so that short lines are transformed together.
-constexpr std::size_t block_columns = LineFft<float>::block_lines;
+constexpr std::size_t block_columns = block_lines;
 
 std::size_t up_to_multiple(std::size_t value, std::size_t unit) {
   return (value + unit - 1) / unit * unit;

@@ -37,6 +37,7 @@
 #include <vector>
 
 #include "half_space/box_convolution.hpp"
+#include "half_space/constants.hpp"
 #include "half_space/fft.hpp"
 #include "half_space/influence_cache.hpp"
 #include "half_space/influence_coefficients.hpp"
@@ -45,10 +46,6 @@ namespace wrc {
 
 /// c_m at index m + 1.
 using DifferenceWeights = std::array<double, 4>;
-
-/// Farthest offset upstream that a difference needs.
-/// origin: derived: the last of the weights.
-inline constexpr std::size_t difference_reach = 2;
 
 /// A grid of elements as the convolution sees it.
 struct TractionShape {

@@ -10,6 +10,7 @@
 #include "keys/constants.hpp"
 #include "keys/scene_keys.hpp"
 #include "profile/profile.hpp"
+#include "rolling/constants.hpp"
 
 namespace wrc {
 namespace {
@@ -43,9 +44,8 @@ bool is_light(double load) {
 /// Whether creepages of a motion are made smaller where wheels roll.
 bool slips_while_rolling(const Scene& scene) {
   const double speed = scene.motion ? std::abs(scene.motion->speed) : 0.0;
-  return scene.standstill_speed > greatest_standstill_speed ||
-         (speed >= greatest_standstill_speed &&
-          scene.standstill_speed > greatest_standstill_share * speed);
+  return scene.standstill_speed > slow_speed ||
+         (speed >= slow_speed && scene.standstill_speed > greatest_standstill_share * speed);
 }
 
 const Names loads{"load.both", "load.left", "load.right", "load.of"};

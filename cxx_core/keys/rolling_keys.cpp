@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "base/error.hpp"
+#include "keys/constants.hpp"
 #include "keys/key_makers.hpp"
 #include "keys/scene_key_table.hpp"
 
@@ -12,14 +13,6 @@ namespace {
 
 using namespace dimensions;
 using namespace key_makers;
-
-/// Largest coefficient of friction.
-/// origin: bound: ten times that of clean steel.
-constexpr double max_friction = 10.0;
-
-/// Positions on a wheel at which friction may be given, each two numbers.
-/// origin: bound: more than one per millimetre.
-constexpr std::size_t max_friction_places = 256;
 
 using Sides = std::vector<SceneSide Scene::*>;
 

@@ -3,17 +3,9 @@
 #include <cmath>
 
 #include "base/lower_case.hpp"
+#include "keys/constants.hpp"
 
 namespace wrc {
-namespace {
-
-/// Waves of a wheel have no effect if the sum of their amplitudes, times the squares of their
-/// orders, is below this length times the accuracy, mm. origin: derived: a thousandth of an overlap
-/// of 1e-4 mm, that of some newtons on a wheel; the change of its curvature is less.
-constexpr double negligible_waves = 1e-3 * 1e-4;
-
-} // namespace
-
 Scene::Scene() {
   track.inclination = std::atan(1.0 / 40.0);
 }

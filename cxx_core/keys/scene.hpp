@@ -16,6 +16,7 @@
 #include "geometry/wheel_surface.hpp"
 #include "half_space/fft.hpp"
 #include "half_space/material.hpp"
+#include "keys/constants.hpp"
 #include "keys/convention.hpp"
 #include "measured/read_options.hpp"
 #include "mechanics/normal_contact.hpp"
@@ -36,10 +37,6 @@ enum class SideChoice { both, left, right };
 /// (scene/total_load.hpp), or the pressures' force along the normal of the patch.
 enum class LoadOf { pressures, total, normal };
 enum class ModelRequest { automatic, half_space, hertz, kik_piotrowski };
-
-/// Largest permitted creepage, and spin in 1/mm.
-/// origin: bound: full sliding in every case.
-inline constexpr double max_creepage = 10.0;
 
 struct ProfileChoice {
   std::string name; ///< of a built-in profile, or a file

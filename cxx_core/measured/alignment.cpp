@@ -195,7 +195,7 @@ std::optional<Alignment> alignment_from_afar(const Curve& nominal,
       const Position from = by_top ? highest(turned) : middle(turned);
       const Position to = by_top ? highest(places) : middle(places);
       const auto found = alignment_to(nominal, points, {turn, {to[0] - from[0], to[1] - from[1]}});
-      if (found && found->beside >= least_beside &&
+      if (found && found->beside >= least_aligned_share &&
           (!best || found->bound < best->bound ||
            (found->bound == best->bound && found->share > best->share))) {
         best = found;

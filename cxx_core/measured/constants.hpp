@@ -18,9 +18,6 @@ inline constexpr double degree = std::numbers::pi / 180.0;
 
 // Cleaning and gaps.
 
-/// Ends of an outline that are one point, and a node of a curve that is a point.
-/// origin: bound: above the rounding of positions, below the last digit of files, 1e-4.
-inline constexpr double same_point = 1e-9;
 /// Neighbours on a line of points are no farther apart than this, ...
 /// origin: reasoned: points of measurements and drawings are 0.1 to 2 mm apart, running surfaces 70
 /// wide, patches 5 to 20 long; extended side faces are below 10, a row of zeros is 30 away.
@@ -173,26 +170,26 @@ inline constexpr std::size_t points_of_search = 120;
 
 // Alignment.
 
-/// Bounds of the distances that count, from the first to the last stage, and steps of each.
+/// Bounds of the distances that count, from the first to the last stage.
 /// origin: reasoned: files are a few mm from their place; the last bound is ten times the noise of
 /// instruments and below the wear of a used profile.
 inline constexpr std::array<double, 7> alignment_bounds{5.0, 3.0, 2.0, 1.0, 0.5, 0.3, 0.2};
+/// Steps of a stage before the last, which lead to the last one.
+/// origin: bound: of work; only the last stage has to settle.
 inline constexpr int steps_of_stage = 4;
 /// Steps of the last stage.
 /// origin: bound: ten settle to 1e-9 rad.
 inline constexpr int last_steps = 12;
-/// The bound falls no further if a smaller share of the points is left.
-/// origin: reasoned: a smaller part may fit anywhere.
+/// The bound falls no further if a smaller share of the points is left. Of points far from their
+/// place this share must be beside the nominal.
+/// origin: reasoned: a smaller part may fit anywhere; half a profile may be measured.
 inline constexpr double least_aligned_share = 0.5;
 /// Half of the points lie within this distance of their nominal profile; else a warning.
 /// origin: reasoned: wear leaves half of a wheel nearer than that.
 inline constexpr double usual_bound = 1.0;
-/// Turns from which points far from their place are aligned, and the share of them that must then
-/// be beside the nominal.
-/// origin: reasoned: alignments find 5 degrees by themselves, instruments stand within 30; half a
-/// profile may be measured.
+/// Turns from which points far from their place are aligned.
+/// origin: reasoned: alignments find 5 degrees by themselves, instruments stand within 30.
 inline constexpr std::array<double, 7> far_turns{0.0, 0.15, -0.15, 0.3, -0.3, 0.45, -0.45};
-inline constexpr double least_beside = 0.5;
 /// Points that are looked at, and distance of the nominal's points among which feet begin.
 /// origin: bound: others tell nothing new about a rigid motion.
 inline constexpr std::size_t aligned_points = 400;
@@ -272,7 +269,7 @@ inline constexpr Position drift_neighbourhood{2.0, 20.0};
 inline constexpr double waviness_neighbourhoods = 2.0;
 inline constexpr double least_of_waviness = 6.0;
 /// Rounds of the fixed point, of a first fit and of one that begins with a fit.
-/// origin: measured: sigma settles to 1 % within 10 rounds, the likelihood within 30.
+/// origin: bound: measured: sigma settles to 1 % within 10 rounds, the likelihood within 30.
 inline constexpr int first_rounds = 40;
 inline constexpr int later_rounds = 12;
 /// How often weights follow the residuals.
@@ -294,7 +291,7 @@ inline constexpr double rough_share = 1e-3;
 inline constexpr double least_variance = 1e-20;
 /// Least share of a point among those that count as one.
 /// origin: bound: keeps weights above 0.
-inline constexpr double least_share = 1e-6;
+inline constexpr double least_point_share = 1e-6;
 /// The residual's least share of the squares; the least freedom of the noise, in values.
 /// origin: bound: above the rounding of sums, below what a line leaves of any measurement.
 inline constexpr double least_residual = 1e-12;

@@ -427,7 +427,7 @@ OffsetData shared_weights(OffsetData data, double distance) {
   const std::size_t last = data.arc.size() - 1;
   for (std::size_t i = 0; i <= last; ++i) {
     const double around = 0.5 * (data.arc[std::min(i + 1, last)] - data.arc[i > 0 ? i - 1 : 0]);
-    data.weight[i] *= std::sqrt(std::clamp(around / distance, least_share, 1.0));
+    data.weight[i] *= std::sqrt(std::clamp(around / distance, least_point_share, 1.0));
   }
   return data;
 }

@@ -10,6 +10,7 @@
 #include "measured/constants.hpp"
 #include "measured/plausible_shapes.hpp"
 #include "measured/profile_shape.hpp"
+#include "profile/constants.hpp"
 
 namespace wrc::reading {
 namespace {
@@ -350,7 +351,7 @@ void check_curve(const Profile& profile, Log& log) {
     const CurvePoint at = profile.curve.at(arc);
     while (passed + 1 < points.size() &&
            std::hypot(at.lateral - points[passed + 1][0], at.height - points[passed + 1][1]) <
-               same_point) {
+               negligible_length) {
       ++passed;
     }
     if (passed + 1 >= points.size()) {

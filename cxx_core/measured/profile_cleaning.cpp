@@ -9,6 +9,7 @@
 #include "measured/plausible_shapes.hpp"
 #include "measured/profile_shape.hpp"
 #include "measured/read_options.hpp"
+#include "profile/constants.hpp"
 
 namespace wrc::reading {
 namespace {
@@ -154,8 +155,8 @@ double length_beside_itself(std::span<const Position> line) {
 std::size_t sharp_turns(std::span<const Position> line) {
   std::size_t count = 0;
   for (std::size_t i = 2; i < line.size(); ++i) {
-    const bool apart = distance_between(line[i - 2], line[i - 1]) > same_point &&
-                       distance_between(line[i - 1], line[i]) > same_point;
+    const bool apart = distance_between(line[i - 2], line[i - 1]) > negligible_length &&
+                       distance_between(line[i - 1], line[i]) > negligible_length;
     count += apart &&
              std::abs(angle_between(line[i - 2], line[i - 1], line[i - 1], line[i])) > end_corner;
   }
@@ -203,7 +204,7 @@ void open_outline(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) {
   std::vector<Position>& points = raw.points;
   const double spacing = median_spacing(points);
   const double opening = distance_between(points.front(), points.back());
-  if (opening > same_point &&
+  if (opening > negligible_length &&
       (opening > opening_ratio * spacing || opening > opening_share * chord_length(points))) {
     return;
   }
@@ -236,7 +237,7 @@ void open_outline(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) {
     where = "at the foot, " + place_text(*lowest);
   }
   log.guess(from + where, "leave only the running surface");
-  if (opening <= same_point) { // one point, twice
+  if (opening <= negligible_length) { // one point, twice
     raw.dropped.push_back(points.back());
     points.pop_back();
   }

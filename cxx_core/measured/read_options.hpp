@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "measured/constants.hpp"
+#include "profile/constants.hpp"
 #include "profile/profile.hpp"
 
 namespace wrc {
@@ -17,18 +19,13 @@ enum class WheelOrigin { by_file, tape, flange_back };
 /// In place of a wavelength (a name, not a tuning constant).
 inline constexpr double automatic_smoothing = -1.0;
 
-/// Smallest lateral shift of a profile, mm.
-/// origin: reasoned: results change by up to themselves in a millimetre, so by less than a
-/// thousandth of the finest accuracy, 1e-6.
-inline constexpr double least_shift = 1e-9;
-
 /// Where the points of a file are put.
 struct ProfilePlacement {
   /// Of a wheel; `tape` leaves lateral and heights as they are.
   WheelOrigin origin = WheelOrigin::by_file;
   double lateral_shift = 0.0; ///< of a wheel, mm, to the taping line, instead of `origin`; 0: none
   /// A sum of numbers may leave a shift of rounding, which is none.
-  [[nodiscard]] bool is_shifted() const { return std::abs(lateral_shift) > least_shift; }
+  [[nodiscard]] bool is_shifted() const { return std::abs(lateral_shift) > negligible_length; }
   /// rad, anticlockwise in (lateral, height) about the taping line or the rail's origin; if set,
   /// replaces the search for a tilt (tilt.hpp).
   std::optional<double> rotation;

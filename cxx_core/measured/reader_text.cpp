@@ -96,7 +96,8 @@ struct Signature {
   std::string_view what;
 };
 
-/// origin: published: the specifications of these formats.
+/// First bytes of files of other formats (a table of names, not a tuning constant): the
+/// specifications of these formats.
 constexpr std::array<Signature, 16> signatures{{
     {"PK\x03\x04", "an Excel workbook (.xlsx) or another ZIP archive"},
     {"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1", "an old Excel workbook (.xls)"},

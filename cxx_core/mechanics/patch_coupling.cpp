@@ -9,16 +9,11 @@
 #include <utility>
 
 #include "base/vector_clones.hpp"
+#include "mechanics/constants.hpp"
 
 namespace wrc {
 
 namespace {
-
-/// Nodes of the interpolation in either direction.
-/// origin: reasoned: with 16 the error stays below 1.5 times the requested one unless boxes are
-/// nearly in touch (patch_coupling.hpp); fewer than 4 would not carry the moments of the loads.
-constexpr std::size_t min_nodes = 4;
-constexpr std::size_t max_nodes = 16;
 
 double extent(std::size_t elements, double step) {
   return static_cast<double>(elements - 1) * step;
@@ -197,9 +192,9 @@ PatchCoupling::Axis PatchCoupling::make_axis(std::size_t elements, double step, 
   Axis axis;
   const double half = 0.5 * extent(elements, step);
   const double needed = std::ceil(-std::log(error) / convergence);
-  const std::size_t count =
-      std::min(elements, static_cast<std::size_t>(std::clamp(needed, static_cast<double>(min_nodes),
-                                                             static_cast<double>(max_nodes))));
+  const std::size_t count = std::min(
+      elements, static_cast<std::size_t>(std::clamp(needed, static_cast<double>(min_coupling_nodes),
+                                                    static_cast<double>(max_coupling_nodes))));
   // Barycentric formula (Berrut & Trefethen, SIAM Review 46, 2004, eq. 5.4).
   std::vector<double> place(elements);
   for (std::size_t i = 0; i < elements; ++i) {

@@ -19,12 +19,9 @@
 #include <string_view>
 
 #include "geometry/contact_search.hpp"
+#include "models/constants.hpp"
 
 namespace wrc {
-
-/// Places to each side at which a gap is compared with its parabola, for the validity alone.
-/// origin: reasoned: enough to see a second lobe, or the end of a flat, within a patch.
-inline constexpr int compared_places = 4;
 
 struct ContactStrip {
   double s = 0.0;        ///< on the wheel

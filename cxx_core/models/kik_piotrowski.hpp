@@ -24,19 +24,10 @@
 
 #include <span>
 
+#include "models/constants.hpp"
 #include "patches/constants.hpp"
 
 namespace wrc {
-
-/// Fraction of the approach by which the bodies overlap, 0.55 (Piotrowski & Kik, Vehicle System
-/// Dynamics 46, 2008).
-/// origin: derived: the rest is outside contact.
-inline constexpr double virtual_penetration_share = 1.0 - outside_contact_share;
-
-/// Nodes of the quadrature over a region, or over its part to either side of the contact point.
-/// origin: measured: on Hertzian bodies 12 leave an error of 1e-5 of the load (models_test); on
-/// standard profiles 24 change pmax by up to 0.7 %, far below the error of the model.
-inline constexpr int penetration_nodes = 12;
 
 /// A strip of the virtual penetration, and what it counts in an integral over y.
 struct KikPiotrowskiStrip {

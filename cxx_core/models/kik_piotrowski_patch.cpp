@@ -6,15 +6,12 @@
 #include <vector>
 
 #include "base/root_bracket.hpp"
+#include "models/constants.hpp"
 #include "models/kik_piotrowski.hpp"
 #include "models/patch_model.hpp"
 
 namespace wrc {
 namespace {
-
-/// Accuracy of the ends of penetration, relative to the distance between two nodes of the scan.
-/// origin: reasoned: far below the error of the quadrature, at two or three more evaluations.
-constexpr double end_accuracy = 1e-10;
 
 struct GaussRule {
   std::array<double, penetration_nodes> place; ///< in (0, 1)
@@ -113,9 +110,9 @@ double KikPiotrowskiPatch::end_between(double inside, double outside) const {
     return outside;
   }
   RootBracket end({inside, in}, {outside, out});
-  end.narrow(end_accuracy * std::abs(outside - inside), [&](double s) {
+  end.narrow(model_search_accuracy * std::abs(outside - inside), [&](double s) {
     const double rest = left_over(s);
-    return std::abs(rest) <= end_accuracy * approach_ ? 0.0 : rest;
+    return std::abs(rest) <= model_search_accuracy * approach_ ? 0.0 : rest;
   });
   return end.middle();
 }

@@ -37,6 +37,11 @@ inline constexpr double other_plane_angle = 0.3;
 /// origin: published: the virtual penetration is 0.55 of the approach (Kik & Piotrowski, 1996).
 inline constexpr double outside_contact_share = 0.45;
 
+/// Fraction of the approach by which the bodies overlap, 0.55 (Piotrowski & Kik, Vehicle System
+/// Dynamics 46, 2008).
+/// origin: derived: the rest is outside contact.
+inline constexpr double virtual_penetration_share = 1.0 - outside_contact_share;
+
 /// By how much a top between two nodes may exceed the penetration of both, mm.
 /// origin: derived: half a millimetre of a circle of 1 mm radius sags by less.
 inline constexpr double max_top_excess = 0.05;
@@ -44,10 +49,6 @@ inline constexpr double max_top_excess = 0.05;
 /// How much yaw may change the curvature along the rail from that in rolling direction.
 /// origin: bound: grids are at most ten times the length that they have without yaw.
 inline constexpr double max_turn = 100.0;
-
-/// Points of the wheel's profile that are no farther apart count as one, mm.
-/// origin: derived: a thousandth of the narrowest element.
-inline constexpr double same_place = 1e-6;
 
 /// Narrower contacts are treated as lines of this axis ratio by the first estimate of the depth.
 /// origin: bound: K(e) diverges by its logarithm only.
@@ -87,5 +88,9 @@ inline constexpr double max_depth = 50.0;
 /// origin: reasoned: the ends are off by less than a per cent of it; the rest keeps contact off
 /// the edge.
 inline constexpr double penetration_margin = 0.05;
+
+/// The width that every potential contact area has, over its length.
+/// origin: bound: less than an element; penetration at a single point of the scan has none.
+inline constexpr double least_width_over_length = 1e-3;
 
 } // namespace wrc

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/rail_line.hpp"
+#include "patches/constants.hpp"
 #include "patches/patch_finder.hpp"
 
 namespace wrc {
@@ -53,10 +54,6 @@ private:
   double yaw_tangent_;
 };
 
-/// The width that every potential contact area has, over its length.
-/// origin: bound: less than an element; penetration at a single point of the scan has none.
-constexpr double least_width = 1e-3;
-
 /// Patches of several scans that overlap, seen from above, become one.
 void join_overlapping(std::vector<ContactPatch>& patches) {
   for (bool changed = true; changed;) {
@@ -80,7 +77,7 @@ void join_overlapping(std::vector<ContactPatch>& patches) {
 
 /// About its middle.
 PlaneArea widened(PlaneArea area) {
-  const double least = least_width * area.length();
+  const double least = least_width_over_length * area.length();
   if (area.width() < least) {
     const double middle = 0.5 * (area.lateral_first + area.lateral_last);
     area.lateral_first = middle - 0.5 * least;

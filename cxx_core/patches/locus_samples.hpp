@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/value_with_rates.hpp"
+#include "geometry/constants.hpp"
 #include "geometry/contact_search.hpp"
 #include "patches/constants.hpp"
 

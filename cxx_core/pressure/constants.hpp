@@ -48,4 +48,8 @@ inline constexpr double one_lobe_depth = 0.1;
 /// limit, lobes would exchange their forces within fewer micrometres.
 inline constexpr double own_lobe_depth = 0.5;
 
+/// Halvings of the interval in which p^2 of an end is found.
+/// origin: derived: 2^-30 of it is left.
+inline constexpr int row_end_halvings = 30;
+
 } // namespace wrc

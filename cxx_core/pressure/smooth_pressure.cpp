@@ -41,10 +41,6 @@ Place place_of(double steps, std::size_t count, std::size_t room) {
 /// Contact may reach the grid's edge: room for the two elements outside.
 constexpr std::size_t room = 2; // not a tuning constant
 
-/// Halvings of the interval in which p^2 of an end is found.
-/// origin: derived: 2^-30 of it is left.
-constexpr int halvings = 30;
-
 /// How far a value has grown towards another, 0 to 1.
 double grown(double value, double whole) {
   return !(value > 0.0) ? 0.0 : value < whole ? value / whole : 1.0;
@@ -67,7 +63,7 @@ double share_by_mean(double mean) {
   }
   double low = -1.0; // the edge is at the inner side
   double high = 1.0;
-  for (int i = 0; i < halvings; ++i) {
+  for (int i = 0; i < row_end_halvings; ++i) {
     const double share = 0.5 * (low + high);
     (mean_by_share(share) < mean ? low : high) = share;
   }

@@ -42,9 +42,9 @@ AlongSpline::AlongSpline(std::span<const double> places, double smoothing_length
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     closest = std::min(closest, knots[i + 1] - knots[i]);
   }
-  if (knots.size() > 2 && !(smoothing_length <= longest_smoothing * closest)) {
+  if (knots.size() > 2 && !(smoothing_length <= longest_along_smoothing * closest)) {
     throw_invalid_argument("smoothing length along", smoothing_length,
-                           "at most " + text_of(longest_smoothing) +
+                           "at most " + text_of(longest_along_smoothing) +
                                " distances of the closest knots, " + text_of(closest));
   }
   spline_ = ReinschSpline(knots, smoothing_length, is_periodic());

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "profile/constants.hpp"
 #include "profile/reinsch_spline.hpp"
 
 namespace wrc {
@@ -25,11 +26,6 @@ struct AlongPlace {
 
 class AlongSpline {
 public:
-  /// Longest smoothing length, in distances of the closest places.
-  /// origin: derived: the terms of the matrix then differ by (1000 / 2 pi)^4 = 6e8, which leaves
-  /// seven digits.
-  static constexpr double longest_smoothing = 1000.0;
-
   AlongSpline() = default;
   /// `period` 0: not periodic. Throws Error(invalid_argument): places that do not ascend, are fewer
   /// than two (periodic: one) or span more than the period; a smoothing length that is negative, or

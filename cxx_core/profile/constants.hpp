@@ -4,6 +4,7 @@
 /// measures it) or reasoned. `scripts/list_constants.sh` prints them all. Lengths in mm.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 namespace wrc {
@@ -16,9 +17,16 @@ inline constexpr double min_step = 1e-6;
 /// 6 * 6e-5 mm / (2 mm)^2 = 1e-4 / mm.
 inline constexpr double transition_length = 2.0;
 
+/// Lengths that count as none, mm: between points that are one, between sections that are equal, of
+/// shifts.
+/// origin: derived: ten thousand roundings of positions, 1e-13 mm, below the last digit of files,
+/// 1e-4, and a hundredth of the approach under the least loads. Results change by up to themselves
+/// in a millimetre, so by less than a thousandth of the finest accuracy, 1e-6.
+inline constexpr double negligible_length = 1e-9;
+
 /// Largest distance between nodes, mm, so that a scan over them meets every local minimum of a gap.
 /// origin: reasoned: below the narrowest contact strip of worn flanges, about 1 mm; scan_slack
-/// of geometry/contact_search.cpp follows from it.
+/// of geometry/constants.hpp follows from it.
 inline constexpr double max_node_distance = 0.5;
 /// Largest gap between neighbouring segments, mm.
 /// origin: reasoned: standards print coordinates to 1e-3 mm.
@@ -73,9 +81,20 @@ inline constexpr double same_line = 0.1 * least_excess;
 
 /// Depth of the groove between a guard rail and the head of its rail, and least height of the guard
 /// rail above that head, mm.
-/// origin: reasoned: grooves are deeper than flanges are high, 28; guard rails stand 20 to 60 above
-/// the head, blades of switches a few.
+/// origin: published: flanges, which pass through grooves, are 20 mm high or more (EN 13715).
 inline constexpr double least_groove = 20.0;
+/// origin: reasoned: guard rails stand 20 to 60 mm above the head, blades of switches a few;
+/// what is between would do as well.
 inline constexpr double least_guard_height = 8.0;
+
+/// Longest smoothing length, in distances of the closest places.
+/// origin: derived: the terms of the matrix then differ by (1000 / 2 pi)^4 = 6e8, which leaves
+/// seven digits.
+inline constexpr double longest_along_smoothing = 1000.0;
+
+/// Wavelengths that are halved to see what depends on them, mm; 0: the points as they are.
+/// origin: reasoned: waves of 2 to 8 mm are as likely noise that an instrument has filtered;
+/// halving 3 mm keeps, and halving 15 mm removes them.
+inline constexpr std::array smoothed_waves{0.0, 3.0, 5.0, 8.0, 15.0};
 
 } // namespace wrc

@@ -14,16 +14,12 @@
 
 #include "base/deferred.hpp"
 #include "base/warning.hpp"
+#include "profile/constants.hpp"
 #include "profile/curve.hpp"
 
 namespace wrc {
 
 enum class ProfileKind { wheel, rail };
-
-/// Wavelengths that are halved to see what depends on them, mm; 0: the points as they are.
-/// origin: reasoned: waves of 2 to 8 mm are as likely noise that an instrument has filtered;
-/// halving 3 mm keeps, and halving 15 mm removes them.
-inline constexpr std::array smoothed_waves{0.0, 3.0, 5.0, 8.0, 15.0};
 
 /// What the points of a profile leave open.
 struct ProfileDoubt {

@@ -18,7 +18,7 @@ struct OldName {
   std::string_view old;
   std::string_view name;
 };
-/// origin: published: EN 13674-1, Annex A.
+/// EN 13674-1, Annex A (a table of names, not a tuning constant).
 constexpr std::array<OldName, 7> old_names{{{"uic60", "60E1"},
                                             {"uic54", "54E1"},
                                             {"uic54e", "54E2"},

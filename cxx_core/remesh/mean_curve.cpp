@@ -57,7 +57,7 @@ MeanCurve mean_curve(const PosedPair& pair, const ContactFrame& frame, double fi
   RailRay rail(pair.rail, frame);
   WheelRay wheel(pair, frame);
   const double first_height = wheel.height();
-  const double step = (last - first) / static_cast<double>(curve_nodes - 1);
+  const double step = (last - first) / static_cast<double>(penetration_rows - 1);
   std::vector<Midway> points;
   const auto add = [&](std::size_t i) {
     if (auto point = midway(rail, wheel, first + static_cast<double>(i) * step)) {
@@ -65,19 +65,19 @@ MeanCurve mean_curve(const PosedPair& pair, const ContactFrame& frame, double fi
     }
   };
   // Outwards from the frame's origin, each ray from the height that its neighbour met.
-  const std::size_t middle = nearest_to_zero(first, step, curve_nodes);
+  const std::size_t middle = nearest_to_zero(first, step, penetration_rows);
   for (std::size_t i = middle; i-- > 0;) {
     add(i);
   }
   std::ranges::reverse(points);
   rail.restart();
   wheel.start_from(first_height);
-  for (std::size_t i = middle; i < curve_nodes; ++i) {
+  for (std::size_t i = middle; i < penetration_rows; ++i) {
     add(i);
   }
   if (points.size() < 2) {
     return {nullptr, "normals of the plane meet wheel and rail in fewer than two of " +
-                         std::to_string(curve_nodes) + " places"};
+                         std::to_string(penetration_rows) + " places"};
   }
   if (std::string refusal = check_normals(points); !refusal.empty()) {
     return {nullptr, std::move(refusal)};

@@ -71,7 +71,8 @@ inline constexpr double forcing = 0.3;
 inline constexpr double forcing_of_rest = 0.5;
 
 /// Steps of GMRES without restart.
-/// origin: measured (a trial of the method, 40 to 60 ellipses): half a dozen suffice for `forcing`.
+/// origin: bound: of memory; measured (a trial of the method, 40 to 60 ellipses): half a dozen
+/// suffice for `forcing`.
 inline constexpr std::size_t krylov_limit = 12;
 
 /// A step that lets the residual grow by more is shortened.
@@ -132,12 +133,13 @@ inline constexpr std::size_t flexibility_elements_across = flexibility_elements_
 inline constexpr double flexibility_tolerance = 3e-3;
 
 /// Slip of a body over what the largest tractions displace, at most, ...
-/// origin: derived: its square is a number in single precision, and so is its ratio to least_share.
+/// origin: derived: its square is a number in single precision, and so is its ratio to
+/// least_bound_share.
 inline constexpr double most_slip = 1e15;
 
 /// ... and bounds that count, over the largest.
 /// origin: derived: see most_slip.
-inline constexpr double least_share = 1e-20;
+inline constexpr double least_bound_share = 1e-20;
 
 /// Largest bound, MPa, up to which bodies count as without friction.
 /// origin: bound: no force; slips over it are numbers for all creepages and moduli.
@@ -160,5 +162,32 @@ inline constexpr double unlike_normal_tolerance = 1e-4;
 /// on it, to rounding, and nothing else near it.
 /// origin: derived: above the rounding of single precision.
 inline constexpr double off_bound = 1e-6;
+
+/// Speed, mm/s, below which a wheelset starts or stops: its wheels may slide without a warning, and
+/// a higher speed of standstill is warned of. origin: reasoned: braking to rest ends with a wheel
+/// that slides for some steps; a walking pace.
+inline constexpr double slow_speed = 1000.0;
+
+// Closed forms and tables of creep forces.
+
+/// Linear force over the friction at which everything slips.
+/// origin: published: Vermeulen & Johnson 1964: where their cubic reaches mu N, with no slope.
+inline constexpr double full_slip_ratio = 3.0;
+
+/// Growth of the spin's part with the length of the ellipse, over that of a short one.
+/// origin: published: Polach 1999, fitted there to Kalker's tables of pure spin.
+inline constexpr double polach_spin_growth = 6.3;
+
+/// The tables' range of ln(a/b), both ways: a/b from 1/50 to 50.
+/// origin: derived: where fit_kalker_coefficients places its ellipses; ln 50.
+inline constexpr double largest_kalker_log_ratio = 3.912023005428146;
+
+/// Strips that march side by side; more are marched one group after another.
+/// origin: derived: two registers of eight doubles, or four of four, hide each other's latency.
+inline constexpr std::size_t strip_group = 16;
+
+/// Fields of one value besides the bound: the linearised elements.
+/// origin: derived: counted.
+inline constexpr std::size_t element_fields = 7;
 
 } // namespace wrc

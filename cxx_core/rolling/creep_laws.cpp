@@ -6,18 +6,11 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "rolling/constants.hpp"
 
 namespace wrc {
 
 namespace {
-
-/// Linear force over the friction at which everything slips.
-/// origin: published: Vermeulen & Johnson 1964: where their cubic reaches mu N, with no slope.
-constexpr double full_slip_ratio = 3.0;
-
-/// Growth of the spin's part with the length of the ellipse, over that of a short one.
-/// origin: published: Polach 1999, fitted there to Kalker's tables of pure spin.
-constexpr double polach_spin_growth = 6.3;
 
 double polach_spin_share(const RollingEllipse& ellipse) {
   return 1.0 + polach_spin_growth *

@@ -9,11 +9,9 @@
 
 #include <cstddef>
 
-namespace wrc {
+#include "rolling/constants.hpp"
 
-/// Strips that march side by side; more are marched one group after another.
-/// origin: derived: two registers of eight doubles, or four of four, hide each other's latency.
-inline constexpr std::size_t strip_group = 16;
+namespace wrc {
 
 /// A group of strips of an ellipse: lengths in its semi-axes, tractions over mu times the largest
 /// pressure. A step is as long as a slice; the first ends in the middle of the first slice.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "rolling/constants.hpp"
 
 namespace wrc {
 
@@ -12,10 +13,6 @@ namespace {
 
 /// By the degree of Chebyshev's polynomials of ln(a/b)/ln 50, then of those of 4 nu - 1.
 using Table = std::array<std::array<double, 5>, 13>;
-
-/// The tables' range of ln(a/b), both ways: a/b from 1/50 to 50.
-/// origin: derived: where fit_kalker_coefficients places its ellipses; ln 50.
-constexpr double largest_log_ratio = 3.912023005428146;
 
 /// ln(C11/(1 + a/b)).
 /// origin: measured (fit_kalker_coefficients): the full solver's values; not a tuning constant.
@@ -99,7 +96,7 @@ struct Sloped {
 
 /// A table's expansion, s within its range.
 Sloped expanded(const Table& table, double s, double poisson) {
-  const double u = s / largest_log_ratio;
+  const double u = s / largest_kalker_log_ratio;
   const double v = 4.0 * poisson - 1.0;
   Sloped sum;
   double value = 1.0; // of T_i(u), and of those before
@@ -125,7 +122,7 @@ Sloped expanded(const Table& table, double s, double poisson) {
     value = next;
     slope = next_slope;
   }
-  sum.slope /= largest_log_ratio;
+  sum.slope /= largest_kalker_log_ratio;
   return sum;
 }
 
@@ -187,10 +184,10 @@ double log_long(Coefficient which, double s, double nu) {
 }
 
 double coefficient(Coefficient which, double s, double nu) {
-  if (std::abs(s) <= largest_log_ratio) {
+  if (std::abs(s) <= largest_kalker_log_ratio) {
     return std::exp(log_within(which, s, nu).value);
   }
-  const double edge = std::copysign(largest_log_ratio, s);
+  const double edge = std::copysign(largest_kalker_log_ratio, s);
   const Sloped at_edge = log_within(which, edge, nu);
   const double beyond = s - edge;
   if (which == Coefficient::c33 && s > 0.0) {

@@ -213,7 +213,7 @@ template <typename Real> void ScaledTractions::fill_bound(Real* bound, std::size
   for (std::size_t row = 0; row < box_.shape.rows; ++row) {
     for (std::size_t column = 0; column < box_.shape.columns; ++column) {
       const double value = scale * problem_.pressure[element(row, column)];
-      bound[row * pitch + column] = value >= least_share ? static_cast<Real>(value) : Real{0};
+      bound[row * pitch + column] = value >= least_bound_share ? static_cast<Real>(value) : Real{0};
     }
   }
 }

@@ -11,10 +11,6 @@ namespace wrc {
 
 namespace {
 
-/// Fields of one value besides the bound: the linearised elements.
-/// origin: derived: counted.
-constexpr std::size_t element_fields = 7;
-
 /// The least-squares problem of GMRES: a Hessenberg matrix reduced column by column by rotations.
 class KrylovReduction {
 public:

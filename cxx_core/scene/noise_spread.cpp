@@ -8,36 +8,12 @@
 
 #include "base/error.hpp"
 #include "measured/constants.hpp"
+#include "scene/constants.hpp"
 #include "scene/number_tables.hpp"
 #include "scene/solve_scene.hpp"
 
 namespace wrc {
 namespace {
-
-/// Deviations that hold the truth in 95 of 100 cases.
-/// origin: published: Student's distribution with ten degrees of freedom (likely_lines).
-constexpr double deviations = 2.228;
-/// Solutions that a spread is computed from, at least.
-/// origin: reasoned: with seven degrees of freedom the deviations are 2.36, 6 % more; fewer are
-/// those of the smoother lines only.
-constexpr int least_solutions = 7;
-/// Accuracy of the solutions with likely curves.
-/// origin: reasoned: a spread of 10 % is then known to a few per cent, as its number of lines knows
-/// it to 22 %.
-constexpr double likely_accuracy = 1e-2;
-
-/// Spread over its result above which it is a little over, and beyond usable_excess of which the
-/// result is not to be used.
-/// origin: reasoned: points with a spread of 20 % do not say what a pressure is.
-constexpr double usable_spread = 0.1;
-
-/// Elements that all lines have together, if solve.element_limit is not set.
-/// origin: derived: the most that one solution then has.
-constexpr double usual_element_limit = 1e5;
-
-/// Elements that a line has in any case.
-/// origin: bound: the least that solve.element_limit permits.
-constexpr double least_element_limit = 1e3;
 
 /// Which curves of the profiles are taken, and which of them; without, those of the result.
 struct Line {
@@ -77,10 +53,10 @@ Scene scene_with(const NoisyScene& noisy, const Line& line) {
   take_curve(scene.left.rail, ProfileKind::rail, noisy.left_rail, line);
   take_curve(scene.right.wheel, ProfileKind::wheel, noisy.right_wheel, line);
   take_curve(scene.right.rail, ProfileKind::rail, noisy.right_rail, line);
-  scene.accuracy = std::max(scene.accuracy, likely_accuracy);
+  scene.accuracy = std::max(scene.accuracy, likely_line_accuracy);
   // All lines together take no more elements than one solution may.
-  scene.element_limit = std::max(scene.element_limit.value_or(usual_element_limit) / likely_lines,
-                                 least_element_limit);
+  scene.element_limit = std::max(scene.element_limit.value_or(usual_spread_elements) / likely_lines,
+                                 least_line_elements);
   scene.grid.reset();
   scene.tolerance = Scene().tolerance;
   scene.solver = SolverChoice::standard;
@@ -200,7 +176,7 @@ WheelSpread wheel_spread(const Numbers& centre, const Numbers& spreads, std::siz
 
 SceneSpread spread_of_numbers(const Numbers& centre, Numbers squares) {
   for (double& number : squares) {
-    number = deviations * std::sqrt(number);
+    number = spread_deviations * std::sqrt(number);
   }
   return {known(squares[0]),
           wheel_spread(centre, squares, 1),
@@ -218,7 +194,7 @@ SceneSpread spread_from(const NoisyScene& noisy) {
   const Numbers& centre = *solved;
   const std::vector<Numbers> likely =
       numbers_of_lines(noisy, {&ProfileDoubt::likely}, likely_lines);
-  Numbers squares = mean_squares(likely, centre, least_solutions);
+  Numbers squares = mean_squares(likely, centre, least_spread_solutions);
   std::vector<Numbers> smoothed;
   if (std::ranges::any_of(
           std::array{noisy.left_wheel, noisy.left_rail, noisy.right_wheel, noisy.right_rail},

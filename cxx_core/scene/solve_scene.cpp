@@ -14,6 +14,7 @@
 #include "results/contact_damage.hpp"
 #include "results/make_wheel_result.hpp"
 #include "results/wheel_state.hpp"
+#include "scene/constants.hpp"
 #include "scene/model_choice.hpp"
 #include "scene/surface_cache.hpp"
 #include "scene/total_load.hpp"
@@ -260,11 +261,6 @@ void keep_noise(const Scene& scene, const SceneSurfaces& surfaces, SceneResult& 
                                     surfaces.right.wheel_doubt, surfaces.right.rail_doubt});
   }
 }
-
-/// How far behind a solution is compared, over the length of the contact.
-/// origin: reasoned: the difference multiplies errors of solutions by 1.4, and a wave of two
-/// contact lengths loses a tenth of its slope.
-constexpr double path_step = 0.5;
 
 double longest_contact(const SceneResult& result) {
   double longest = 0.0;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "scene/constants.hpp"
 #include "scene/number_table.hpp"
 
 namespace wrc {
@@ -14,29 +15,6 @@ namespace wrc {
 namespace {
 
 using namespace dimensions;
-
-/// Solutions: that of the start, and those of Newton's method.
-/// origin: bound: 4 to 8 are needed from tread to flange.
-constexpr int max_solutions = 40;
-
-/// Solutions in a row after which there is no such position, if none of them lessens the missing
-/// load by this fraction. origin: bound: steps are then a thousandth of Newton's.
-constexpr int max_vain_solutions = 10;
-constexpr double least_progress = 0.05;
-
-/// Distance of a wheel's contact from the wheelset's centre, mm, by which a moment is shared at the
-/// start, and least share of a wheel there.
-/// origin: bound: the start only.
-constexpr double contact_arm = 750.0;
-constexpr double least_share = 0.02;
-
-/// Largest load, N, as load.left permits.
-/// origin: bound: a hundred times what wheels carry.
-constexpr double max_load = 1e7;
-
-/// Loads are met within this share of the accuracy.
-/// origin: bound: forces themselves are off by the accuracy.
-constexpr double accuracy_share = 0.01;
 
 using Two = std::array<double, 2>;
 using TwoByTwo = std::array<Two, 2>;
@@ -51,7 +29,7 @@ struct Balance {
 /// N and N mm, checked; of an axle the moment that the wheels have to bear.
 Two checked(const StaticLoads& loads, const Convention& convention) {
   const auto check = [](double load, const char* name) {
-    if (!(load > 0.0 && load <= max_load)) {
+    if (!(load > 0.0 && load <= largest_static_load)) {
       throw_invalid_argument(name, load, "must be above 0 and at most 1e7 N");
     }
   };
@@ -63,7 +41,7 @@ Two checked(const StaticLoads& loads, const Convention& convention) {
   }
   check(first, "loads[0] (axle)");
   const double inside = from_caller(second, convention, moment);
-  if (!(std::abs(inside) < contact_arm * first)) {
+  if (!(std::abs(inside) < usual_contact_arm * first)) {
     throw_invalid_argument("loads[1] (moment about x)", second,
                            "must be less than the axle's load times 750 mm, at which a wheel "
                            "lifts");
@@ -77,8 +55,8 @@ Two loads_of_wheels(LoadsOf of, const Two& loads) {
     return loads;
   }
   const double half = 0.5 * loads[0];
-  const double moved = 0.5 * loads[1] / contact_arm;
-  const double least = least_share * loads[0];
+  const double moved = 0.5 * loads[1] / usual_contact_arm;
+  const double least = least_wheel_share * loads[0];
   return {std::max(half + moved, least), std::max(half - moved, least)};
 }
 
@@ -144,7 +122,7 @@ Balance balance_of(SceneResult& result, LoadsOf of, const Two& loads) {
     take(1, *wheel, true);
   }
   for (double* value : {&balance.missing[1], &balance.slope[1][0], &balance.slope[1][1]}) {
-    *value /= contact_arm;
+    *value /= usual_contact_arm;
   }
   return balance;
 }
@@ -192,7 +170,7 @@ StaticEquilibrium find_static_equilibrium(const Scene& scene, const VehicleState
     }
   }
   Two place = start.place;
-  const double tolerance = accuracy_share * posed.accuracy;
+  const double tolerance = load_share_of_accuracy * posed.accuracy;
 
   StaticEquilibrium best;
   best.unbalanced = std::numeric_limits<double>::infinity();
@@ -201,7 +179,8 @@ StaticEquilibrium find_static_equilibrium(const Scene& scene, const VehicleState
   bool is_lifted = true; // one of the wheels, in the best place
   int vain = 0;
   int solutions = 1;
-  for (; solutions < max_solutions && vain < max_vain_solutions && !best.converged; ++solutions) {
+  for (; solutions < most_static_solutions && vain < most_vain_solutions && !best.converged;
+       ++solutions) {
     posed.vertical = place[0];
     posed.roll = place[1];
     SceneResult result = solver.solve(posed);
@@ -214,7 +193,7 @@ StaticEquilibrium find_static_equilibrium(const Scene& scene, const VehicleState
     const bool sets_down = is_lifted && !lifts;
     const bool nears = lifts == is_lifted && unbalanced < best.unbalanced;
     const bool gains =
-        sets_down || (nears && unbalanced < (1.0 - least_progress) * best.unbalanced);
+        sets_down || (nears && unbalanced < (1.0 - least_static_progress) * best.unbalanced);
     vain = gains ? 0 : vain + 1;
     if (meets || sets_down || nears) {
       is_lifted = lifts;

@@ -12,6 +12,7 @@
 #include "geometry/constants.hpp"
 #include "measured/readers.hpp"
 #include "measured/sliced_profile_reader.hpp"
+#include "scene/constants.hpp"
 
 namespace wrc {
 namespace {
@@ -140,18 +141,14 @@ void check_slices(const ProfileChoice& choice, const ProfilePlacement& placement
   }
 }
 
-/// Shortest waves of a wheel that the search for contacts finds, mm.
-/// origin: measured: waves of 9.6 mm are found, those of 8.3 mm are not all.
-constexpr double shortest_wave = 12.0;
-
 void check_waves(const std::vector<RadiusHarmonic>& waves, double radius) {
   for (const RadiusHarmonic& wave : waves) {
     const double length = 2.0 * std::numbers::pi * radius / wave.order;
-    if (!(length >= shortest_wave)) {
+    if (!(length >= shortest_wheel_wave)) {
       throw Error(ErrorCode::invalid_argument, "wheelset.harmonics: order " + text_of(wave.order) +
                                                    " gives waves of " + short_text_of(length) +
                                                    " mm; they must be at least " +
-                                                   short_text_of(shortest_wave) + " mm long");
+                                                   short_text_of(shortest_wheel_wave) + " mm long");
     }
     if (const double slope = std::abs(wave.amplitude) * wave.order / radius;
         !(slope <= steepest_along)) {

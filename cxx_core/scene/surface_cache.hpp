@@ -17,6 +17,7 @@
 
 #include "geometry/wheelset_equilibrium.hpp"
 #include "keys/scene.hpp"
+#include "scene/constants.hpp"
 #include "scene/noisy_scene.hpp"
 #include "scene/profile_warnings.hpp"
 
@@ -106,17 +107,13 @@ public:
   /// keeps no slices, which are many files.
   explicit SurfaceCache(For scenes = For::scenes)
       : watches_files_(scenes == For::one_scene),
-        wheels_(watches_files_ ? most_of_scene : most_of_scenes),
-        rails_(watches_files_ ? most_of_scene : most_of_scenes) {}
+        wheels_(watches_files_ ? most_surfaces_of_scene : most_cached_surfaces),
+        rails_(watches_files_ ? most_surfaces_of_scene : most_cached_surfaces) {}
 
   /// Throws Error(unknown_name) for a name that is neither built in nor that of a file.
   SceneSurfaces get(const Scene& scene);
 
 private:
-  /// Studies compare many profiles; a surface of 600 points takes 0.4 MB, one of 5000 points 2.6, a
-  /// crossing 3.7. A scene has two of a kind. origin: bound: of memory, changes no result.
-  static constexpr std::size_t most_of_scenes = 64;
-  static constexpr std::size_t most_of_scene = 2;
   bool watches_files_;
   RecentSurfaces<WheelSurface, WheelsetDimensions> wheels_;
   RecentSurfaces<RailSurface, TrackDimensions> rails_;

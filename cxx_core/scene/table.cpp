@@ -8,13 +8,10 @@
 #include "base/nearest_names.hpp"
 #include "keys/scene_file.hpp"
 #include "keys/scene_keys.hpp"
+#include "scene/constants.hpp"
 
 namespace wrc {
 namespace {
-
-/// Cells and results of a table.
-/// origin: bound: a table of 2 GB.
-constexpr std::size_t max_table_size = std::size_t{1} << 28;
 
 std::vector<std::string> words_of(std::string_view text) {
   std::vector<std::string> words;
@@ -50,7 +47,7 @@ TableGrid::TableGrid(const Scene& scene, std::string_view keys, const double* va
   for (const std::string& key : words_of(keys)) {
     const std::int64_t count = counts[axes_.size()];
     if (count < 1 ||
-        static_cast<std::uint64_t>(count) > max_table_size / (cell_count_ * results_.size())) {
+        static_cast<std::uint64_t>(count) > most_table_values / (cell_count_ * results_.size())) {
       throw_invalid_argument("counts[" + std::to_string(axes_.size()) + ']',
                              static_cast<double>(count),
                              "must be at least 1, with at most 2^28 numbers in all");

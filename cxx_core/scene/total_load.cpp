@@ -4,40 +4,19 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "scene/constants.hpp"
 
 namespace wrc {
 namespace {
-
-/// What may be left of a total, and at most in accuracies.
-/// origin: measured (TotalLoad.*): where iterations of creep forces take a step more or less,
-/// totals jump by 1e-8 on treads and up to 4e-7 of themselves on flanges, whatever the accuracy;
-/// secants leave 1e-7 and less.
-constexpr double total_tolerance = 1e-6;
-constexpr double total_share = 0.01;
-
-/// Number of solutions after which that fraction of the accuracy suffices, ...
-/// origin: reasoned: twice the number needed if nothing jumps.
-constexpr int usual_solutions = 12;
-/// ... and of the last one, after which there is no load.
-/// origin: bound: bisections of a jump down to the tolerance take 20 more.
-constexpr int most_solutions = 40;
-
-/// The largest load on the pressures, in totals.
-/// origin: bound: full sliding down a flange of 75 degrees with friction 0.25 leaves a
-/// fifteenth.
-constexpr double largest_load = 32.0;
-
-/// The largest factor between one load and the next.
-/// origin: reasoned: a few solutions to the largest load.
-constexpr double largest_growth = 4.0;
 
 constexpr std::array<const char*, 2> total_keys{"load.left", "load.right"};
 
 /// Permitted error of a total after this number of solutions, as a fraction of it.
 double permitted_share(int solutions, double accuracy) {
-  return solutions <= usual_solutions ? std::min(total_tolerance, total_share * accuracy)
-         : solutions < most_solutions ? total_share * accuracy
-                                      : accuracy;
+  return solutions <= usual_total_solutions
+             ? std::min(total_load_tolerance, load_share_of_accuracy * accuracy)
+         : solutions < most_total_solutions ? load_share_of_accuracy * accuracy
+                                            : accuracy;
 }
 
 [[noreturn]] void refuse(const char* key, double total, double load, double carried) {
@@ -58,7 +37,8 @@ bool LoadSearch::is_met_by(double total, double accuracy, const char* key) {
   if (std::abs(found.excess) <= permitted_share(solutions_, accuracy) * total_) {
     return true;
   }
-  if (solutions_ >= most_solutions || (found.excess < 0.0 && load_ >= largest_load * total_)) {
+  if (solutions_ >= most_total_solutions ||
+      (found.excess < 0.0 && load_ >= largest_total_ratio * total_)) {
     refuse(key, total_, load_, total);
   }
   (found.excess < 0.0 ? low_ : high_.emplace()) = found;
@@ -76,7 +56,7 @@ double LoadSearch::next_after(const Point& found) const {
                ? drawn
                : 0.5 * (low_.load + high_->load);
   }
-  const double most = std::min(largest_growth * found.load, largest_load * total_);
+  const double most = std::min(largest_load_growth * found.load, largest_total_ratio * total_);
   return slope > 0.0 && drawn > found.load ? std::min(drawn, most) : most;
 }
 
@@ -93,8 +73,9 @@ bool JointLoadSearch::are_met_by(const WheelNumbers& totals, double accuracy) {
     return true;
   }
   for (std::size_t i = 0; i < excess.size(); ++i) {
-    const bool stuck = excess[i] < 0.0 && loads_[i] >= largest_load * totals_[i];
-    if (stuck || (solutions_ >= most_solutions && !(std::abs(excess[i]) <= share * totals_[i]))) {
+    const bool stuck = excess[i] < 0.0 && loads_[i] >= largest_total_ratio * totals_[i];
+    if (stuck ||
+        (solutions_ >= most_total_solutions && !(std::abs(excess[i]) <= share * totals_[i]))) {
       refuse(total_keys[i], totals_[i], loads_[i], totals[i]);
     }
   }
@@ -108,7 +89,7 @@ void JointLoadSearch::take_slopes(const WheelNumbers& excess) {
   if (solutions_ == 1) {
     for (std::size_t i = 0; i < 2; ++i) {
       const double ratio = loads_[i] > 0.0 ? (totals_[i] + excess[i]) / loads_[i] : 1.0;
-      slopes_[i][i] = std::max(ratio, 1.0 / largest_growth);
+      slopes_[i][i] = std::max(ratio, 1.0 / largest_load_growth);
     }
     return;
   }
@@ -130,10 +111,10 @@ void JointLoadSearch::step(const WheelNumbers& excess) {
   last_loads_ = loads_;
   last_excess_ = excess;
   for (std::size_t i = 0; i < 2; ++i) {
-    const double most = std::min(largest_growth * loads_[i], largest_load * totals_[i]);
+    const double most = std::min(largest_load_growth * loads_[i], largest_total_ratio * totals_[i]);
     // A step that is no number leaves the load to the other wheel's.
     const double next = std::isfinite(change[i]) ? loads_[i] + change[i] : loads_[i];
-    loads_[i] = std::clamp(next, loads_[i] / largest_growth, most);
+    loads_[i] = std::clamp(next, loads_[i] / largest_load_growth, most);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "derivatives/rail_jacobian.hpp"
 #include "keys/key_warnings.hpp"
 #include "keys/scene_keys.hpp"
+#include "scene/constants.hpp"
 #include "scene/model_choice.hpp"
 #include "scene/number_tables.hpp"
 #include "scene/patch_summary.hpp"
@@ -19,9 +20,6 @@ using namespace dimensions;
 
 /// The columns of a Jacobian that belong to positions and velocities; none: nothing depends on it.
 using Columns = std::array<std::optional<StateVariable>, 6>;
-/// Step of differences along the track and around the wheel, mm.
-/// origin: reasoned: contacts change by less than their accuracy, rounding by a millionth of that.
-constexpr double difference_step = 5e-3;
 
 constexpr Columns position_columns{
     std::nullopt,        StateVariable::lateral, StateVariable::vertical,
@@ -226,10 +224,10 @@ void add_varying_columns(const Scene& posed, SceneSolver& solver,
     double step;
     double step_of_caller;
   };
-  const double along = to_caller(difference_step, posed.convention, length);
-  const double turn = difference_step / posed.nominal_radius();
+  const double along = to_caller(track_difference_step, posed.convention, length);
+  const double turn = track_difference_step / posed.nominal_radius();
   for (const Column& column :
-       {Column{has_prismatic_rails(posed), &Scene::along, 0, difference_step, along},
+       {Column{has_prismatic_rails(posed), &Scene::along, 0, track_difference_step, along},
         Column{has_round_wheels(posed), &Scene::pitch, 4, turn, turn}}) {
     if (column.is_constant) {
       continue;

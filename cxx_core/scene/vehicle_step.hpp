@@ -13,6 +13,7 @@
 
 #include "creep/elastic_history.hpp"
 #include "derivatives/rail_jacobian.hpp"
+#include "scene/constants.hpp"
 #include "scene/solve_scene.hpp"
 
 namespace wrc {
@@ -38,10 +39,6 @@ struct VehicleState {
   std::shared_ptr<const ContactHistory> history;
   double time_step = 0.0; ///< s, with a history; else 0
 };
-
-/// Permitted steps of time, s.
-/// origin: bound: displacements over them are numbers; beyond, rolling is steady.
-inline constexpr double least_time_step = 1e-9, most_time_step = 1e9;
 
 /// Forces of one wheel; zeros without contact.
 struct WheelForces {

@@ -4,11 +4,14 @@
 /// measures it) or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
+#include <chrono>
+#include <cstddef>
+
 namespace wrc {
 
-/// Tolerance of the tangential iteration in the creep law's nodes.
-/// origin: reasoned: a tenth of the error of the law's spline.
-inline constexpr double creep_law_tolerance = 1e-3;
+/// Accuracy of normal contact in the table's nodes, and tolerance of the tangential iteration in
+/// the creep law's. origin: reasoned: a tenth of the error that the splines themselves have.
+inline constexpr double node_accuracy = 1e-3;
 
 /// Largest linear force of spin over mu N that is solved for the creep law, in place of spin
 /// without end. origin: reasoned: tractions are off by a hundredth where the slip turns, in a
@@ -17,14 +20,10 @@ inline constexpr double largest_spin_node = 100.0;
 
 /// Largest ln(a/b) of the creep law's nodes, to both sides.
 /// origin: reasoned: 12 to 1, beyond which wheels are on no rail that is new.
-inline constexpr double largest_log_ratio = 2.5;
+inline constexpr double largest_law_log_ratio = 2.5;
 
-/// Accuracy of normal contact in the table's nodes.
-/// origin: reasoned: a tenth of the error that the spline itself has.
-inline constexpr double table_accuracy = 1e-3;
-
-/// Accuracy of Kalker's coefficients there, and of the solutions that the table is compared with.
-/// origin: reasoned: likewise, of creep forces.
+/// Accuracy of Kalker's coefficients in the nodes, and of the solutions that the table is compared
+/// with. origin: reasoned: a tenth of the error that the splines have in creep forces.
 inline constexpr double table_creep_accuracy = 1e-2;
 
 /// Slope of first touch, height over lateral position, that tells where the flange begins.
@@ -74,5 +73,29 @@ inline constexpr double error_without_answer = 1e3;
 /// Memory of a table's spline of contact, bytes.
 /// origin: bound: table_file.cpp reads no larger files.
 inline constexpr double largest_spline = 1e9;
+
+// Files of tables and of unfinished ones (table_file.cpp, finished_tasks.cpp).
+
+/// Bytes of a file and of a name in it, and nodes of one variable.
+/// origin: bound: of memory.
+inline constexpr std::size_t largest_table_file = std::size_t{1} << 31U;
+inline constexpr std::size_t longest_table_name = 4096;
+inline constexpr std::size_t most_table_nodes = 1U << 16U;
+
+/// Letters of the format of another version's file that a message quotes.
+/// origin: bound: of the message.
+inline constexpr std::size_t longest_table_format = 20;
+
+/// Bytes of a file of unfinished tasks.
+/// origin: bound: twice the largest file of a table, whose numbers are in single precision.
+inline constexpr std::size_t largest_unfinished_file = std::size_t{1} << 32U;
+
+/// Between two writes of unfinished tasks.
+/// origin: bound: what a stopped build loses at most; a file of 26 MB takes 0.05 s.
+inline constexpr std::chrono::seconds least_time_between_writes{20};
+
+/// Speed of the wheelset in the nodes of a table, mm/s.
+/// origin: bound: the geometry of slip does not depend on it.
+inline constexpr double speed_of_nodes = 1e4;
 
 } // namespace wrc

@@ -38,7 +38,7 @@ public:
     problem_.friction = 1.0;
     problem_.shear_modulus = 1.0;
     problem_.poisson = poisson;
-    problem_.tolerance = creep_law_tolerance;
+    problem_.tolerance = node_accuracy;
     problem_.derivatives = true;
     const std::array<double, 9> by = solver_.solve(problem_).by_creepage;
     problem_.derivatives = false;
@@ -106,7 +106,7 @@ Forces node_of(EllipseProblem& ellipse, double gx, double gy, double m) {
 CreepLaw::Spline::Axes CreepLaw::axes_of(const CreepLawNodes& nodes) {
   return {SplineAxis(-2.0, 2.0, nodes.translation), SplineAxis(-2.0, 2.0, nodes.translation),
           SplineAxis(-1.0, 1.0, nodes.spin),
-          SplineAxis(-largest_log_ratio, largest_log_ratio, nodes.ratio)};
+          SplineAxis(-largest_law_log_ratio, largest_law_log_ratio, nodes.ratio)};
 }
 
 CreepLaw CreepLaw::make(double poisson, const CreepLawNodes& nodes, int threads,

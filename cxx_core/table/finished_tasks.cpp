@@ -7,16 +7,13 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "table/constants.hpp"
 #include "table/table_file.hpp"
 
 namespace wrc {
 namespace {
 
 constexpr std::string_view first_of_unfinished = "wrcontact unfinished table, format 1\n";
-/// origin: bound: twice the largest file of a table, whose numbers are in single precision.
-constexpr std::size_t largest_unfinished = std::size_t{1} << 32U;
-/// origin: bound: what a stopped build loses at most; a file of 26 MB takes 0.05 s.
-constexpr std::chrono::seconds least_time_between_writes{20};
 
 void append(std::string& text, std::uint64_t number) {
   text.append(reinterpret_cast<const char*>(&number), sizeof number);
@@ -40,7 +37,7 @@ FinishedTasks::FinishedTasks(std::filesystem::path path, std::string_view inputs
   std::error_code none;
   if (std::filesystem::exists(path_, none)) {
     try {
-      read(read_file(path_, largest_unfinished));
+      read(read_file(path_, largest_unfinished_file));
     } catch (const Error& error) {
       throw Error(error.code(), "resume_file = " + path_.string() + ": " + error.what() +
                                     "; name another file, or remove it to begin again");

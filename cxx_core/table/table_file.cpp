@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "table/constants.hpp"
 
 namespace wrc {
 namespace {
@@ -16,11 +17,6 @@ static_assert(std::endian::native == std::endian::little, "the format's numbers 
 
 constexpr std::string_view first_words = "wrcontact table of contact forces, format ";
 constexpr std::string_view first_line = "wrcontact table of contact forces, format 1\n";
-/// origin: bound: of memory, of a file and what it holds.
-constexpr std::size_t largest_file = std::size_t{1} << 31U;
-constexpr std::size_t longest_name = 4096;
-constexpr std::size_t longest_format = 20;    // quoted from a file of another version
-constexpr std::size_t most_nodes = 1U << 16U; // of one variable
 
 [[noreturn]] void refuse(const std::string& what) {
   throw Error(ErrorCode::file_malformed, "table file: " + what);
@@ -66,7 +62,7 @@ public:
   void name(std::string& value) {
     std::uint64_t size = 0;
     number(size);
-    if (size > longest_name) {
+    if (size > longest_table_name) {
       refuse("a name of " + std::to_string(size) + " bytes");
     }
     value = next(static_cast<std::size_t>(size));
@@ -112,7 +108,7 @@ template <class Stream> void axis(Stream& stream, SplineAxis& axis) {
   std::uint64_t count = axis.count;
   stream.number(count);
   if constexpr (Stream::reads) {
-    if (count < 4 || count > most_nodes) {
+    if (count < 4 || count > most_table_nodes) {
       refuse("a variable of " + std::to_string(count) + " nodes");
     }
     if (!(axis.step > 0.0)) {
@@ -131,7 +127,7 @@ void spline(Stream& stream, TensorSpline<variables, parts, Stored>& spline) {
     size *= static_cast<double>(one.count);
   }
   if constexpr (Stream::reads) {
-    if (size > static_cast<double>(largest_file)) {
+    if (size > static_cast<double>(largest_table_file)) {
       refuse("more numbers than a file may have");
     }
     spline = TensorSpline<variables, parts, Stored>();
@@ -150,13 +146,13 @@ template <class Stream> void map(Stream& stream, ErrorMap& errors, double tolera
     stream.number(ranges[i].last);
     std::uint64_t count = counts[i];
     stream.number(count);
-    if (count < 1 || count > most_nodes || !(ranges[i].last > ranges[i].first)) {
+    if (count < 1 || count > most_table_nodes || !(ranges[i].last > ranges[i].first)) {
       refuse("a map of errors of " + std::to_string(count) + " cells");
     }
     counts[i] = static_cast<std::size_t>(count);
     size *= static_cast<double>(count);
   }
-  if (size > static_cast<double>(largest_file)) {
+  if (size > static_cast<double>(largest_table_file)) {
     refuse("more numbers than a file may have");
   }
   stream.numbers(cells, static_cast<std::size_t>(size));
@@ -245,7 +241,7 @@ ContactTable table_from_text(std::string_view text) {
   std::uint64_t sum = 0;
   if (!text.starts_with(first_line)) {
     if (text.starts_with(first_words)) {
-      const std::string_view rest = text.substr(first_words.size(), longest_format);
+      const std::string_view rest = text.substr(first_words.size(), longest_table_format);
       refuse("its format is " + std::string(rest.substr(0, rest.find('\n'))) +
              ", that of another version of the library; this one reads format 1: make the table "
              "again");
@@ -275,13 +271,13 @@ void write_table(const ContactTable& table, const std::filesystem::path& path) {
 }
 
 bool is_name_of_table(std::string_view name) {
-  return name.size() <= longest_name &&
+  return name.size() <= longest_table_name &&
          std::none_of(name.begin(), name.end(),
                       [](unsigned char letter) { return letter < 0x20 || letter == 0x7F; });
 }
 
 ContactTable read_table(const std::filesystem::path& path) {
-  return table_from_text(read_file(path, largest_file));
+  return table_from_text(read_file(path, largest_table_file));
 }
 
 } // namespace wrc

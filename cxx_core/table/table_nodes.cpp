@@ -12,9 +12,6 @@
 namespace wrc {
 namespace {
 
-constexpr double speed_of_nodes =
-    1e4; ///< mm/s; origin: bound: geometry of slip does not depend on it
-
 std::uint64_t add_to_checksum(std::uint64_t sum, double number) {
   return (sum ^ std::bit_cast<std::uint64_t>(number)) * 0x100000001b3ULL;
 }
@@ -63,7 +60,7 @@ PatchNumbers patch_numbers_of(const PatchResult& patch, const Vector3& centre,
                  -(by[2] + y * by[0] - x * by[1])};
   const double a = std::max(patch.semi_axis_longitudinal, 0.5 * patch.grid.longitudinal_step);
   const double b = std::max(patch.semi_axis_lateral, 0.5 * patch.grid.lateral_step);
-  numbers.log_ratio = std::clamp(std::log(a / b), -largest_log_ratio, largest_log_ratio);
+  numbers.log_ratio = std::clamp(std::log(a / b), -largest_law_log_ratio, largest_law_log_ratio);
   numbers.size = std::sqrt(a * b);
   return numbers;
 }
@@ -135,7 +132,7 @@ TableNodes::TableNodes(const Scene& scene, SceneSolver solver, ContactTable& tab
   scene_.side = SideChoice::left;
   scene_.until = Module::mechanics;
   scene_.accuracy_of = AccuracyOf::forces;
-  scene_.accuracy = table_accuracy;
+  scene_.accuracy = node_accuracy;
   scene_.grid.reset();
   scene_.load_of = LoadOf::pressures;
   scene_.damage = {};

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/root_bracket.hpp"
 #include "base/stopwatch.hpp"
+#include "models/constants.hpp"
 #include "models/hertz.hpp"
 #include "models/patch_model.hpp"
 #include "patches/depth_estimate.hpp"
@@ -17,8 +18,7 @@
 namespace wrc {
 namespace {
 
-/// Of a vertical load.
-/// origin: derived: z of the track frame.
+/// Of a vertical load: z of the track frame (a unit vector, not a tuning constant).
 constexpr Vector3 upwards{0.0, 0.0, 1.0};
 
 class ApproximateWheel {
@@ -147,7 +147,7 @@ double ApproximateWheel::depth_of_load(double start) const {
   const auto excess_at = [&](double depth) {
     const double load = load_at(depth);
     const double excess = std::cbrt(load * load) - target;
-    return std::abs(excess) <= load_accuracy * target ? 0.0 : excess;
+    return std::abs(excess) <= model_search_accuracy * target ? 0.0 : excess;
   };
   RootBracket::Point low{0.0, -target};
   RootBracket::Point high{start, excess_at(start)};
@@ -162,7 +162,7 @@ double ApproximateWheel::depth_of_load(double start) const {
     return high.place;
   }
   RootBracket bracket(low, high);
-  bracket.narrow(load_accuracy * high.place, excess_at);
+  bracket.narrow(model_search_accuracy * high.place, excess_at);
   return bracket.middle();
 }
 

@@ -18,11 +18,11 @@ namespace wrc {
 inline constexpr double coarse_tolerance = 3e-4;
 
 /// Solutions at other depths or on finer grids before it gives up.
-/// origin: measured (wrc_benchmark --case service): 7 at most are taken.
+/// origin: bound: measured (wrc_benchmark --case service): 7 at most are taken.
 inline constexpr int max_attempts = 20;
 
 /// Smallest fraction of the depth kept by one step.
-/// origin: reasoned: keeps a first depth far too large from a step to below the first touch.
+/// origin: bound: keeps a first depth far too large from a step to below the first touch.
 inline constexpr double min_depth_ratio = 0.1;
 
 /// Turn of the rail from one end of a contact to the other, over the deviation of its angle in the
@@ -116,10 +116,6 @@ inline constexpr std::size_t sampled_count = 32;
 /// Room around the contact on that grid, as a fraction of it.
 /// origin: derived: one element.
 inline constexpr double sampled_margin = 1.0 / static_cast<double>(sampled_count);
-
-/// Fraction of the load to which an approximate model's depth is found.
-/// origin: reasoned: below what anybody reads, above the rounding of a sum.
-inline constexpr double load_accuracy = 1e-10;
 
 /// Steps of that search.
 /// origin: bound: secants and halvings of a bracket need ten to twenty.

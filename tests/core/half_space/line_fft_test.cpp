@@ -113,10 +113,10 @@ TYPED_TEST(LineFftTest, IsTheFourierSum) {
 
 TYPED_TEST(LineFftTest, LinesThatComeTogetherAreTheSame) {
   using Complex = std::complex<TypeParam>;
-  constexpr std::size_t most = 2 * LineFft<TypeParam>::block_lines;
+  constexpr std::size_t most = 2 * block_lines;
   for (const std::size_t length : {2U, 14U, 16U, 20U, 21U, 32U, 48U, 80U}) {
     const LineFft<TypeParam> fft(length, PlannerRigor::estimate);
-    EXPECT_EQ(fft.best_count(), length < 48 ? LineFft<TypeParam>::block_lines : 1U);
+    EXPECT_EQ(fft.best_count(), length < 48 ? block_lines : 1U);
     const std::size_t pitch = aligned_pitch<Complex>(length);
     AlignedArray<Complex> lines(most * pitch);
     AlignedArray<Complex> together(most * pitch);
@@ -150,7 +150,7 @@ TYPED_TEST(LineFftTest, RefusesLengthsOutOfRange) {
 TEST(AlignedMemory, LinesStartAtAlignedPlaces) {
   for (std::size_t length = 0; length < 70; ++length) {
     const AlignedArray<float> array(length);
-    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(array.data()) % AlignedArray<float>::alignment, 0U);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(array.data()) % vector_alignment, 0U);
     EXPECT_EQ(array.size(), length);
     EXPECT_GE(aligned_pitch<float>(length), length);
     EXPECT_LT(aligned_pitch<float>(length), length + 16);

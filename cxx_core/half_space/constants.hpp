@@ -1,0 +1,64 @@
+/// Constants of behaviour of this room: transforms, influence coefficients and materials.
+///
+/// Each with its origin: published (with author) or derived, bound, measured (with the program that
+/// measures it) or reasoned. `scripts/list_constants.sh` prints them all.
+#pragma once
+
+#include <cstddef>
+
+namespace wrc {
+
+// Transforms (fft.hpp, box_convolution.hpp).
+
+/// Alignment of arrays.
+/// origin: derived: bytes of a cache line and of the widest vector register.
+inline constexpr std::size_t vector_alignment = 64;
+
+/// Lines that are transformed together.
+/// origin: derived: four single-precision complex values fill half a vector register of 64 bytes
+/// and one of 32, so all instruction sets are served.
+inline constexpr std::size_t block_lines = 4;
+
+/// FFTW's tables when it first plans, in both precisions, and what a plan takes.
+/// origin: bound: 0.4 MB; 16 kB and 3 complex values per element of a line, rounded up.
+inline constexpr std::size_t fft_memory_of_tables = std::size_t{1} << 20;
+inline constexpr std::size_t fft_memory_of_plan = std::size_t{1} << 16;
+inline constexpr std::size_t fft_memory_per_value = 64;
+
+/// Lines from this length on are fast one by one.
+/// origin: measured: single-precision lines of 12 to 32 values take 24 to 72 ns each in blocks,
+/// 83 to 230 ns one by one (docs/evidence/performance.md).
+inline constexpr std::size_t min_lone_line = 48;
+
+/// The longest line with odd factors above 5.
+/// origin: measured: longer ones are slower than the next power of two times 1, 3 or 5.
+inline constexpr std::size_t max_odd_line = 400;
+
+/// Rows that are transposed together, as pairs.
+/// origin: derived: eight single-precision complex values fill a cache line of 64 bytes.
+inline constexpr std::size_t transposed_rows = 8;
+
+// Influence coefficients and materials.
+
+/// From this distance on, in units of the element's longer side, the expansion is used.
+/// origin: derived: the expansion of order six is accurate to 3e-13 there
+/// (influence_coefficients.hpp).
+inline constexpr double far_field_distance = 16.0;
+
+/// Relative change of the ratio of an element's sides by which its coefficients are differentiated.
+/// origin: derived: the differences' own error and rounding are both below 1e-6.
+inline constexpr double aspect_step = 1e-4;
+
+/// Farthest offset upstream that a difference needs.
+/// origin: derived: the last of the weights.
+inline constexpr std::size_t difference_reach = 2;
+
+/// Fraction of the accuracy below which the effect of different materials counts as none.
+/// origin: reasoned: too little to show in any result.
+inline constexpr double negligible_material_effect = 1e-3;
+
+/// K of bodies whose constants differ by rounding only.
+/// origin: derived: four units in the last place of each of the terms of K, which are 0.25 at most.
+inline constexpr double rounding_of_material_difference = 1e-15;
+
+} // namespace wrc
