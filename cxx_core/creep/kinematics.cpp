@@ -16,6 +16,7 @@ template <class Real> struct PatchPlace {
   VectorOf<Real> longitudinal, lateral, normal;
   VectorOf<Real> place, centre;
   Real reference_y;
+  double ahead;
 };
 
 template <class Real> struct Slip {
@@ -47,9 +48,13 @@ Slip<Real> slip_of(const State<Real>& state, const WheelsetMotion& wheelset,
              state.vertical_velocity - rail.height} +
       cross(turning, arm) - cross(rail_turning, rail_arm);
   if (wheelset.follows_surface) {
-    const Vector travel = Vector{state.speed * (1.0 - curvature * state.lateral), zero, zero} +
-                          cross(rolling + Vector{zero, zero, curvature * state.speed}, arm);
-    velocity.z = velocity.z - dot(travel, patch.normal) / patch.normal.z;
+    const Vector turn = rolling + Vector{zero, zero, curvature * state.speed};
+    const Vector travel{state.speed * (1.0 - curvature * state.lateral), zero, zero};
+    const Vector round_arm = arm - Vector{Real(patch.ahead), zero, zero};
+    const Vector round_normal{zero, patch.normal.y, patch.normal.z};
+    velocity.z = velocity.z - (dot(travel + cross(turn, arm), patch.normal) -
+                               dot(cross(turn, round_arm), round_normal)) /
+                                  patch.normal.z;
   }
   Slip<Real> slip;
   const Vector& ahead = patch.longitudinal;
@@ -69,7 +74,8 @@ Slip<Real> slip_of(const State<Real>& state, const WheelsetMotion& wheelset,
 
 } // namespace
 
-RigidSlip rigid_slip(const WheelsetMotion& wheelset, const ContactFrame& frame, double approach) {
+RigidSlip rigid_slip(const WheelsetMotion& wheelset, const ContactFrame& frame, double approach,
+                     double ahead) {
   const Motion& motion = wheelset.motion;
   const Pose& pose = wheelset.pose;
   const Slip<double> slip =
@@ -81,7 +87,8 @@ RigidSlip rigid_slip(const WheelsetMotion& wheelset, const ContactFrame& frame, 
                        frame.normal,
                        frame.origin - approach * frame.normal,
                        {0.0, pose.lateral, wheelset.height},
-                       frame.origin.y});
+                       frame.origin.y,
+                       ahead - approach * frame.normal.x});
   return {{slip.twist[0], slip.twist[1], slip.twist[5]},
           slip.twist,
           slip.reference_speed,
@@ -105,7 +112,7 @@ RatedSlip rated_slip(const WheelsetMotion& wheelset, const MovingFrame& frame) {
        variable(pose.yaw, StateVariable::yaw)},
       wheelset,
       {frame.longitudinal, frame.lateral, frame.normal, frame.place, frame.centre,
-       frame.reference_y});
+       frame.reference_y, frame.ahead});
   return {slip.twist, slip.reference_speed, slip.slip_speed};
 }
 

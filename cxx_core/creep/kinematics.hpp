@@ -23,8 +23,9 @@
 /// Where the rail or the wheel varies, a wheelset that does not move vertically would close or open
 /// the contact: on a slope e with the speed V sin(e). Unless v_z is given, the wheel is taken to
 /// follow the surface: v gets the vertical velocity at which travel and rolling together have no
-/// component along the normal, as they have none where nothing varies. Up a slope creepage is then
-/// V/cos(e) less the speed of rolling.
+/// component along the normal but that which they have under a round wheel on a prismatic rail:
+/// with the patch where it then is (ContactPatch::ahead) and a normal across the track. Up a slope
+/// creepage is then V/cos(e) less the speed of rolling.
 ///
 /// Left-hand frame of the side. Units mm, s, rad. Thread rule: pure functions.
 ///
@@ -47,7 +48,9 @@ struct RigidSlip {
   double slip_speed = 0.0; ///< what creepages are multiplied with to give velocities, mm/s, > 0
 };
 
-RigidSlip rigid_slip(const WheelsetMotion& wheelset, const ContactFrame& frame, double approach);
+/// `ahead`: of the patch, ContactPatch.
+RigidSlip rigid_slip(const WheelsetMotion& wheelset, const ContactFrame& frame, double approach,
+                     double ahead);
 
 /// A number with its derivatives by positions and velocities.
 using RatedByState = WithRates<state_count>;
@@ -59,6 +62,7 @@ struct MovingFrame {
   VectorOf<RatedByState> centre; ///< of the wheelset
   RatedByState reference_y;      ///< of the patch's reference
   RatedByState s_wheel;          ///< of it, on the wheel's profile
+  double ahead = 0.0; ///< of the place, as ContactPatch::ahead of the reference; taken to stay
 };
 
 /// Slip of a patch, with its derivatives.

@@ -75,7 +75,8 @@ PatchMotion motion_of(const PatchResult& patch, const PatchResult& whole, const 
   const double mirror = wheel.details.mirror;
   PatchMotion motion;
   if (request.motion) {
-    const RigidSlip slip = rigid_slip(*wheel.details.motion, patch.frame, patch.approach);
+    const RigidSlip slip =
+        rigid_slip(*wheel.details.motion, patch.frame, patch.approach, patch.penetration.ahead);
     motion = {slip.creepages, RollingFrame(mirror, slip.reference_speed < 0.0), slip.slip_speed};
     if (patch.slip) {
       motion.creepages = fitted_creepages(*patch.slip, slip.twist);
@@ -107,7 +108,8 @@ std::vector<SlipRow> rows_on(const WheelResult& wheel, const PatchResult& patch,
 MovedContact::MovedContact(const WheelResult& wheel, const PatchResult& patch,
                            const PatchRates& rates, std::size_t position, double step)
     : wheel_(wheel), pose_(wheel.details.pose), height_(wheel.details.vertical),
-      frame_(patch.frame), approach_(patch.approach - step * rates.gap[position]) {
+      frame_(patch.frame), approach_(patch.approach - step * rates.gap[position]),
+      ahead_(patch.penetration.ahead) {
   const std::array<double*, position_count> moved{&pose_.lateral, &height_, &pose_.roll,
                                                   &pose_.yaw};
   *moved[position] += step;
@@ -135,7 +137,7 @@ Twist MovedContact::twist() const {
   WheelsetMotion motion = *wheel_.details.motion;
   motion.pose = pose_;
   motion.height = height_;
-  return rigid_slip(motion, frame_, approach_).twist;
+  return rigid_slip(motion, frame_, approach_, ahead_).twist;
 }
 
 std::array<CreepagesByTwist, position_count> slip_rates(const WheelResult& wheel,

@@ -70,6 +70,7 @@ private:
   double height_; ///< of the wheelset's centre
   ContactFrame frame_;
   double approach_;
+  double ahead_;
 };
 
 /// How SlipGeometry::creepages_by_twist changes with positions.

@@ -36,7 +36,8 @@ MovingFrame moving_frame(const PatchResult& patch, const PatchRates& rates, cons
                      constant(place),
                      constant(centre),
                      frame.origin.y,
-                     patch.reference.s_wheel};
+                     patch.reference.s_wheel,
+                     patch.penetration.ahead - patch.approach * frame.normal.x};
   const auto motions = all_motions(pose.yaw);
   const Vector3 axle = Rotation(pose).to_track({0.0, 1.0, 0.0});
   for (std::size_t i = 0; i < position_count; ++i) {

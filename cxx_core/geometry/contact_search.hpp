@@ -32,6 +32,7 @@ struct ContactCandidate {
   double rail_angle = 0.0; ///< of the rail's tangent about x, rad, > 0: rises to the left
   bool at_profile_end = false;
   double rail_rise = 0.0;   ///< slope along the track, of a rail that varies
+  double ahead = 0.0;       ///< of where a round wheel is nearest on a prismatic rail, mm
   bool at_part_end = false; ///< where a part of such a rail begins or ends along the track
 };
 
@@ -41,6 +42,7 @@ struct DistanceSample {
   double distance = 0.0;   ///< vertical
   double rail_slope = 0.0; ///< tangent of the rail's angle about x
   double rail_rise = 0.0;  ///< slope along the track, of a rail that varies
+  double ahead = 0.0;      ///< as of ContactCandidate
 
   [[nodiscard]] double rail_angle() const { return std::atan(rail_slope); }
 };

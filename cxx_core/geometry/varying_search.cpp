@@ -395,6 +395,7 @@ DistanceSample VaryingSearch::sample(const Spot& spot, bool is_near) {
     const HalfLengths there = half_lengths(*plain_, *plain);
     const double slope = wheel_.graph().heights().at(plain->point.wheel_lateral).slope;
     place.position.x -= there.shift();
+    result.ahead = place.position.x - plain->x;
     place.normal_curvature /= curvature_of(there.mean(), typical_depth) *
                               (wheel_.radius() + plain->point.wheel_height) *
                               std::sqrt(1.0 + slope * slope);
@@ -429,7 +430,9 @@ std::vector<ContactScan> VaryingSearch::scans(double near_tolerance) {
     for (const Spot& spot : minima_[k]) {
       if (scan.candidates.empty() || spot.point.gap.value <= least + near_tolerance) {
         scan.candidates.push_back(candidate(spot));
-        scan.candidates.back().wheel.normal_curvature = sample(spot, true).wheel.normal_curvature;
+        const DistanceSample here = sample(spot, true);
+        scan.candidates.back().wheel.normal_curvature = here.wheel.normal_curvature;
+        scan.candidates.back().ahead = here.ahead;
       }
     }
     field_->restart();

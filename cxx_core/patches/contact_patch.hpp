@@ -24,6 +24,7 @@ struct ContactPatch {
   double deviation = 0.0;      ///< of the rail's angle from it, standard, weighted like the angle
   double angle = 0.0;          ///< of its plane, turned towards close neighbours
   double rise = 0.0;           ///< of the rail along the track over its plane across, likewise
+  double ahead = 0.0;          ///< of where it is under a round wheel on a prismatic rail, likewise
   double mean_x = 0.0;         ///< mean position, weighted like the angle
   double mean_y = 0.0;
   double mean_s = 0.0;

@@ -33,7 +33,8 @@ public:
             false,
             0.0,
             0.0,
-            sample.rail_rise};
+            sample.rail_rise,
+            sample.ahead};
   }
   [[nodiscard]] Place place_of(const ContactCandidate& contact, double penetration) const {
     const Vector3& at = contact.wheel.position;
@@ -47,7 +48,8 @@ public:
             true,
             0.0,
             0.0,
-            contact.rail_rise};
+            contact.rail_rise,
+            contact.ahead};
   }
 
 private:
@@ -131,6 +133,7 @@ ContactPatch joined(const ContactPatch& one, const ContactPatch& other) {
   };
   both.deviation = std::sqrt(mean(square(one), square(other)));
   both.rise = mean(one.rise, other.rise);
+  both.ahead = mean(one.ahead, other.ahead);
   both.joins_scans = one.joins_scans || other.joins_scans || one.scan != other.scan;
   both.mean_x = mean(one.mean_x, other.mean_x);
   both.mean_y = mean(one.mean_y, other.mean_y);

@@ -39,6 +39,7 @@ template <class Real> struct LocusSample {
   Real second = 0.0;     ///< derivative of the penetration
   Real slope_rate = 0.0; ///< of the rail's slope, by y
   Real rise = 0.0;       ///< slope of the rail along the track
+  Real ahead = 0.0;      ///< of where a round wheel is nearest on a prismatic rail
 };
 
 /// From the curvature in rolling direction to that of distances along the rail. With yaw these
@@ -96,7 +97,8 @@ LocusSample<Real> between(const LocusSample<Real>& from, const LocusSample<Real>
           false,
           Real(0.0),
           mix(from.slope_rate, to.slope_rate),
-          mix(from.rise, to.rise)};
+          mix(from.rise, to.rise),
+          mix(from.ahead, to.ahead)};
 }
 
 /// Derivatives by differences.

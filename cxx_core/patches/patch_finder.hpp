@@ -193,6 +193,7 @@ private:
     patch.angle_unturned = value_of(lobe.angle);
     patch.deviation = lobe.moments.deviation();
     patch.rise = value_of(lobe.moments.rise / lobe.moments.weight);
+    patch.ahead = value_of(lobe.moments.ahead / lobe.moments.weight);
     patch.mean_x = value_of(lobe.moments.x / lobe.moments.weight);
     patch.mean_y = value_of(lobe.moments.y / lobe.moments.weight);
     patch.mean_s = value_of(lobe.moments.s / lobe.moments.weight);

@@ -26,6 +26,7 @@ template <class Real> struct Moments {
   Real y = 0.0;
   Real s = 0.0;
   Real rise = 0.0;
+  Real ahead = 0.0;
 
   void add(const Real& share, const Moments& other) {
     weight += share * other.weight;
@@ -35,6 +36,7 @@ template <class Real> struct Moments {
     y += share * other.y;
     s += share * other.s;
     rise += share * other.rise;
+    ahead += share * other.ahead;
   }
   [[nodiscard]] Real angle() const { return atan2(sine, cosine); }
   /// Standard deviation of the angle, from the length of the mean direction (K. V. Mardia,
@@ -150,7 +152,8 @@ private:
             weight * place.x,
             weight * partner.y,
             weight * place.s,
-            level * place.rise};
+            level * place.rise,
+            weight * place.ahead};
   }
 
   void begin_lobe(std::size_t place, const LocusSample<Real>& begin) {

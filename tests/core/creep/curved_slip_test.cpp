@@ -31,7 +31,7 @@ TEST(CurvedSlip, IsTheVelocityOfTheElementAlongItsTangent) {
   const PatchResult& patch = result.left->patches.at(0);
   ASSERT_TRUE(patch.frame.curve);
   const ContactFrame& frame = patch.frame;
-  const Twist twist = rigid_slip(*result.left->details.motion, frame, patch.approach).twist;
+  const Twist twist = rigid_slip(*result.left->details.motion, frame, patch.approach, 0.0).twist;
   const Vector3 velocity =
       twist[0] * frame.longitudinal + twist[1] * frame.lateral + twist[2] * frame.normal;
   const Vector3 turning =
@@ -99,7 +99,8 @@ TEST(CurvedSlip, ForceTimesMotionIsTheDissipation) {
     const SceneResult result = solve_scene(rolling(curved));
     const PatchResult& patch = result.left->patches.at(0);
     const CreepResult& creep = *patch.creep;
-    const RigidSlip slip = rigid_slip(*result.left->details.motion, patch.frame, patch.approach);
+    const RigidSlip slip =
+        rigid_slip(*result.left->details.motion, patch.frame, patch.approach, 0.0);
     const Wrench fitted =
         wrench_of(patch.slip->creepages_by_twist,
                   {creep.longitudinal_force, creep.lateral_force, creep.spin_moment});

@@ -16,7 +16,7 @@ constexpr double radius = 460.0;
 /// A contact under a wheel, this far to the left and this steep.
 RigidSlip slip_at(const Motion& motion, double angle = 0.0, const Pose& pose = {}) {
   return rigid_slip({motion, pose, radius, radius, {}}, tangent_frame({0.0, 750.0, 0.1}, angle),
-                    0.1);
+                    0.1, 0.0);
 }
 
 TEST(Kinematics, PureRollingHasSpinOfTheConeOnly) {
@@ -87,10 +87,10 @@ TEST(Kinematics, ARisingRailIsALevelOneTurnedAboutTheTracksY) {
       WheelsetMotion motion{
           {.speed = speed / std::cos(slope), .pitch = speed / radius}, {}, radius, radius, {}};
       motion.follows_surface = true;
-      const RigidSlip on_level = rigid_slip(motion, level, 0.1);
+      const RigidSlip on_level = rigid_slip(motion, level, 0.1, 0.0);
       motion.motion.speed = speed;
       motion.height = centre.z;
-      const RigidSlip on_rising = rigid_slip(motion, rising, 0.1);
+      const RigidSlip on_rising = rigid_slip(motion, rising, 0.1, origin.x);
       for (std::size_t i = 0; i < on_level.twist.size(); ++i)
         EXPECT_NEAR(on_rising.twist[i], on_level.twist[i], rounding) << angle << ' ' << slope;
       EXPECT_NEAR(on_rising.reference_speed, on_level.reference_speed, rounding * speed);

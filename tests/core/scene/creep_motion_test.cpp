@@ -77,7 +77,7 @@ TEST(CreepMotion, CreepagesOfCreepCasesFollowFromTheMotion) {
       height = height.value_or(place.z - body.z);
       const ContactFrame frame = tangent_frame(place, angle);
       const double approach = patch.at("approach_mm");
-      const RigidSlip slip = rigid_slip({motion, pose, *height, 460.0, {}}, frame, approach);
+      const RigidSlip slip = rigid_slip({motion, pose, *height, 460.0, {}}, frame, approach, 0.0);
       EXPECT_NEAR(slip.reference_speed, 1e3 * patch.at("V_ref_m_s").get<double>(), 0.05);
       EXPECT_NEAR(slip.creepages.longitudinal, -patch.at("cksi").get<double>(), 3e-7);
       EXPECT_NEAR(slip.creepages.lateral, left * patch.at("ceta").get<double>(), 3e-7);

@@ -188,7 +188,7 @@ TEST(SlipByElement, DiffersFromAPlaneForTwoLobes) {
   const WheelResult& wheel = lobes.right.value();
   const PatchResult& whole = wheel.patches.at(0);
   const Creepages at_reference =
-      rigid_slip(wheel.details.motion.value(), whole.frame, whole.approach).creepages;
+      rigid_slip(wheel.details.motion.value(), whole.frame, whole.approach, 0.0).creepages;
   scene.right.creepages = {at_reference.longitudinal, -at_reference.lateral, -at_reference.spin};
   const CreepResult in_one_plane = creep_of(solve_scene(scene));
   EXPECT_NEAR(by_lobe.longitudinal_force, by_element.longitudinal_force, 5.0);

@@ -100,10 +100,13 @@ TEST_F(VaryingScene, SlicesThatAreEqualNearbyGiveTheProfileToTheAccuracy) {
 TEST_F(VaryingScene, AFlatThatIsNotTouchedChangesNoForce) {
   const std::string wheel = list("beside.slcw", "S1002", places_every(-0.2, 0.2, 0.005),
                                  [](double theta) { return -rounded_depth(theta, 0.6, 0.06); });
-  for (const double lateral : {-2.0, 0.0, 1.5, 3.0}) {
+  const std::array<std::array<double, 2>, 5> poses{
+      {{-2.0, 3e-3}, {0.0, 3e-3}, {1.5, 3e-3}, {3.0, 3e-3}, {6.0, -5e-3}}};
+  for (const auto& [lateral, yaw] : poses) {
     const auto solved = [&](double pitch) {
       Scene scene = scene_on("60E1", wheel);
       scene.lateral = lateral;
+      scene.yaw = yaw;
       scene.pitch = pitch;
       return *solve_scene(scene).left;
     };
@@ -120,9 +123,8 @@ TEST_F(VaryingScene, AFlatThatIsNotTouchedChangesNoForce) {
 /// Under yaw the contact locus turns back across the rail beside the flange: rows there have two
 /// least distances.
 TEST_F(VaryingScene, AContactWhereTheLocusTurnsBackIsFound) {
-  const std::string wheel =
-      list("beside.slcw", "S1002", places_every(-0.2, 0.2, 0.005),
-           [](double theta) { return -rounded_depth(theta, 0.6, 0.06); });
+  const std::string wheel = list("beside.slcw", "S1002", places_every(-0.2, 0.2, 0.005),
+                                 [](double theta) { return -rounded_depth(theta, 0.6, 0.06); });
   for (const double lateral : {5.8, 5.9}) {
     const auto solved = [&](double pitch) {
       Scene scene = scene_on("60E1", wheel);
