@@ -45,7 +45,6 @@ struct SceneSurfaces {
 template <class Dimensions> struct SurfaceSource {
   ProfileChoice profile;
   Dimensions dimensions;
-  ProfilePlacement placement{};
 
   bool operator==(const SurfaceSource&) const = default;
 };

@@ -220,7 +220,7 @@ TEST_F(VaryingScene, ARisingRailIsALevelOneOnATurnedTrack) {
       scene.side = SideChoice::left;
       scene.track.inclination = 0.0;
       scene.roll = 0.0;
-      scene.track.origin = 753.0;
+      scene.left.rail.options.rail_origin = scene.right.rail.options.rail_origin = 753.0;
       scene.lateral = 6.0;
       scene.yaw = scene.along = scene.pitch = 0.0;
       scene.accuracy = 1e-3;
@@ -264,7 +264,7 @@ TEST_F(VaryingScene, ModelsOnARisingRailAreThoseOfALevelOne) {
         Scene scene = each.of(scene_on(rail));
         scene.side = SideChoice::left;
         scene.track.inclination = 0.0;
-        scene.track.origin = 753.0;
+        scene.left.rail.options.rail_origin = scene.right.rail.options.rail_origin = 753.0;
         scene.roll = 0.0;
         scene.lateral = lateral;
         scene.yaw = scene.along = scene.pitch = 0.0;
