@@ -11,7 +11,8 @@ function result = wrc_solve (varargin)
 %
 %   Values are numbers, lists of numbers or texts, as in scene files. A profile ('track.rail',
 %   'wheelset.left.wheel', ...) is a name, a file, or points: a matrix of two columns, lateral and
-%   height in mm.
+%   height in mm. Its options are keys behind it: 'track.rail.smoothing', or scene.track.rail.file
+%   and scene.track.rail.smoothing of a struct.
 %
 %   An array of scenes is solved on 'threads' threads (1 by default); r is an array too, the same
 %   for any number of threads. r(k).status is 'ok' or the kind of failure, and r(k).message gives

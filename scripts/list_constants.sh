@@ -41,6 +41,7 @@ others = {
     "cxx_core/scene/result_fields.cpp",
     "cxx_core/keys/scene_key_table.cpp",  # permitted ranges
     "cxx_core/keys/profile_keys.cpp",  # likewise
+    "cxx_core/keys/profile_text.cpp",  # likewise
     "cxx_core/table/table_step.cpp",  # permitted ranges and signs
 }
 homes = {"constants.hpp", "plausible_shapes.hpp"}

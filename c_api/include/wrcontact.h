@@ -97,8 +97,9 @@ WRC_API const char* wrc_scene_error(const wrc_scene* scene);
  * (load.both and load.left, material.poisson and material.wheel.poisson,
  * solve.accuracy and solve.grid). The keys convention.units and convention.frame set the units and
  * frame of numbers passed to and returned by later calls; values set before keep their
- * meaning. The key solve.until stops after one of the three modules. WRC_UNKNOWN_NAME,
- * WRC_INVALID_ARGUMENT. Since 0.1.
+ * meaning. The key solve.until stops after one of the three modules. Options of a profile are keys
+ * behind that of the profile, "track.rail.smoothing", or part of its text, "worn.txt; smoothing =
+ * 5" (docs/profiles.md). WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.1.
  */
 WRC_API wrc_status wrc_scene_set_number(wrc_scene* scene, const char* key, double value);
 WRC_API wrc_status wrc_scene_set_text(wrc_scene* scene, const char* key, const char* value);
@@ -151,7 +152,7 @@ WRC_API wrc_status wrc_scene_number(wrc_scene* scene, const char* name, double* 
  * twenty times as fast. An id stands for a key, or for the name of a result, in every scene, solved
  * or not. "left.patches.3.pmax" has an id even if the scene has fewer patches (indices 0 to 1023,
  * of parts 0 to 254). Ids are valid for one version of the library: look them up whenever the
- * program starts. WRC_UNKNOWN_NAME. Since 0.3.
+ * program starts. Options of profiles have none. WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.3.
  */
 WRC_API wrc_status wrc_scene_key_id(wrc_scene* scene, const char* key, int32_t* id);
 WRC_API wrc_status wrc_scene_number_id(wrc_scene* scene, const char* name, int32_t* id);
@@ -496,9 +497,9 @@ typedef struct wrc_table_options {
   double tolerance;
   double fineness; /**< of the nodes, 0.2 to 4; 1. Time and memory grow with its cube. */
   int64_t threads; /**< 1 to 1024; 1. The same bits for any number. */
-  /** File that keeps what is finished, written every 20 s and when the build ends or is stopped, from
-   * which the next build with the same scene and options goes on, to the same bits. Remove it once
-   * the table is saved. One of another table is WRC_FILE_MALFORMED. NULL: none. Since 0.4. */
+  /** File that keeps what is finished, written every 20 s and when the build ends or is stopped,
+   * from which the next build with the same scene and options goes on, to the same bits. Remove it
+   * once the table is saved. One of another table is WRC_FILE_MALFORMED. NULL: none. Since 0.4. */
   const char* resume_file;
 } wrc_table_options;
 

@@ -224,8 +224,8 @@ Warnings warnings_of(const AlongCheck& check, ProfileKind kind) {
                             std::to_string(swing.slice_next) + " the " + body + " is " +
                             short_text_of(std::abs(swing.size)) + " mm " +
                             (swing.size > 0.0 ? "above" : "below") + " both" +
-                            others_text(swing.intervals) + ": add slices there, or state " +
-                            (is_rail ? "track." : "wheelset.") + body + "_smoothing_along"});
+                            others_text(swing.intervals) +
+                            ": add slices there, or state smoothing_along of the " + body});
   }
   if (const AlongFault& rise = check.rise; std::abs(rise.size) > notable_swing) {
     warnings.push_back({WarningClass::profile_swing,

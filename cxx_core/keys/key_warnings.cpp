@@ -31,11 +31,6 @@ bool wants_wear(const Scene& scene) {
   return scene.damage.wear || scene.damage.fatigue;
 }
 
-/// Whether a wheel is read from a file, and may be placed.
-bool is_file(const ProfileChoice& wheel) {
-  return !wheel.given && standard_name(wheel.name, ProfileKind::wheel).empty();
-}
-
 /// Whether it is no load that a wheel carries, and not none.
 bool is_light(double load) {
   return load > 0.0 && load < least_load;
@@ -105,11 +100,6 @@ void add_unused(std::vector<Row>& rows) {
   add(
       {"friction.limit_ratio"}, {}, [](const Scene& s) { return s.left.friction.decay == 0.0; },
       " is not used: friction.decay is 0");
-  add(
-      {"wheelset.align_to", "wheelset.profile_origin", "wheelset.profile_shift",
-       "wheelset.profile_rotation"},
-      {}, [](const Scene& s) { return !is_file(s.left.wheel) && !is_file(s.right.wheel); },
-      " is not used: no wheel is read from a file");
   add({"pose.longitudinal"}, {}, has_prismatic_rails,
       " is not used: no rail varies along the track");
   add({"pose.pitch"}, {}, has_round_wheels, " is not used: no wheel varies around its axle");

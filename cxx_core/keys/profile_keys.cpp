@@ -1,10 +1,11 @@
-// Keys of the track and the wheelset: profiles, where they are, how they are smoothed.
+// Keys of the track and the wheelset: profiles, where they are.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "keys/key_makers.hpp"
+#include "keys/profile_text.hpp"
 #include "keys/scene_key_table.hpp"
 
 namespace wrc {
@@ -15,83 +16,63 @@ using namespace key_makers;
 
 using Sides = std::vector<SceneSide Scene::*>;
 
-/// The name of a profile on one or both sides, or a profile given by the program.
-Key profile_key(KeyDescription description, ProfileKind kind, ProfileChoice SceneSide::*choice,
-                const Sides& sides) {
-  const auto set = [choice, sides](Scene& scene, std::string_view name,
-                                   const std::shared_ptr<const Profile>& given) {
-    std::vector<std::string> names(sides.size(), std::string(name)); // may run out of memory
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      ProfileChoice& chosen = (scene.*sides[i]).*choice;
-      chosen.name = std::move(names[i]);
-      chosen.given = given;
+/// A profile on one or both sides by name, with its options, or given by the program.
+Key profile_key(std::string_view name, std::string_view meaning, ProfileKind kind,
+                ProfileChoice SceneSide::*choice, const Sides& sides) {
+  const ProfileKey named{name, kind};
+  const bool rail = kind == ProfileKind::rail;
+  // Strings may run out of memory, and then nothing is set.
+  const auto change = [=](Scene& scene, const auto& each) {
+    std::vector<ProfileChoice> chosen;
+    for (SceneSide Scene::*side : sides) {
+      each(chosen.emplace_back((scene.*side).*choice));
     }
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      (scene.*sides[i]).*choice = std::move(chosen[i]);
+    }
+  };
+  const auto common = [=](const Scene& scene, const auto& of) {
+    const auto first = KeyValue(of((scene.*sides.front()).*choice));
+    return first == KeyValue(of((scene.*sides.back()).*choice)) ? first : KeyValue();
   };
   Key key;
-  key.description = description;
-  key.get = [choice, sides](const Scene& scene) {
-    const std::string& name = ((scene.*sides.front()).*choice).name;
-    return name == ((scene.*sides.back()).*choice).name ? KeyValue(name) : KeyValue();
+  key.description = {name, rail ? "\"60E1\"" : "\"S1002\"",
+                     rail ? "a text: a built-in rail or a profile file, and options of it behind "
+                            "\"; \": smoothing, smoothing_along, origin, rotation, align_to"
+                          : "a text: a built-in wheel or a profile file, and options of it behind "
+                            "\"; \": smoothing, smoothing_along, origin, shift, rotation, align_to",
+                     meaning};
+  key.get = [=](const Scene& scene) {
+    return common(scene,
+                  [&](const ProfileChoice& one) { return profile_text(one, scene.convention); });
   };
-  key.set_text = [set, kind](Scene& scene, std::string_view name) {
-    if (!name.empty()) {
-      const std::string_view standard = standard_name(name, kind);
-      set(scene, standard.empty() ? name : standard, nullptr);
-    }
-    return !name.empty();
+  key.set_text = [=](Scene& scene, std::string_view text) {
+    change(scene,
+           [&](ProfileChoice& one) { set_profile_text(one, text, named, scene.convention); });
+    return !text.empty();
   };
-  key.set_profile = [set, kind](Scene& scene, const Profile& profile) {
+  key.set_profile = [=](Scene& scene, const Profile& profile) {
     if (profile.kind == kind) {
       const bool built_in = profile.points.empty();
-      set(scene, profile.name, built_in ? nullptr : std::make_shared<const Profile>(profile));
+      const auto given = built_in ? nullptr : std::make_shared<const Profile>(profile);
+      change(scene, [&](ProfileChoice& one) {
+        one = {profile.name, given, {}, std::move(one.harmonics)};
+      });
     }
     return profile.kind == kind;
   };
-  return key;
-}
-
-/// A wavelength at which profiles are smoothed, on one or both sides.
-struct Smoothing {
-  std::optional<double> ProfileChoice::*member;
-  Range range;
-  std::string_view allowed;
-};
-
-constexpr Smoothing across{
-    &ProfileChoice::smoothing, {0.0, 100.0}, "\"auto\", or 0 (none) to 100 mm"};
-constexpr Smoothing along{
-    &ProfileChoice::smoothing_along, {0.0, 1e6}, "\"auto\", or 0 (none) to 1e6 mm"};
-
-Key smoothing_key(const Smoothing& smoothing, std::string_view name, std::string_view meaning,
-                  ProfileChoice SceneSide::*choice, const Sides& sides) {
-  const auto of = [ choice, member = smoothing.member ](auto& side) -> auto& {
-    return (side.*choice).*member;
+  key.get_option = [=](const Scene& scene, std::string_view option) {
+    return common(scene, [&](const ProfileChoice& one) {
+      return profile_option(one, option, named, scene.convention);
+    });
   };
-  Key key;
-  key.description = {name, "\"auto\"", smoothing.allowed, meaning};
-  key.dimension = length;
-  key.min = smoothing.range.min;
-  key.max = smoothing.range.max;
-  key.get = [of, sides](const Scene& scene) {
-    const std::optional<double>& value = of(scene.*sides.front());
-    if (value != of(scene.*sides.back())) {
-      return KeyValue();
-    }
-    return value ? KeyValue(*value) : KeyValue(std::string("auto"));
+  key.set_option = [=](Scene& scene, std::string_view option, std::string_view value) {
+    change(scene, [&](ProfileChoice& one) {
+      set_profile_option(one, option, value, named, scene.convention);
+    });
   };
-  key.set_number = [of, sides](Scene& scene, double value) {
-    for (SceneSide Scene::*side : sides) {
-      of(scene.*side) = value;
-    }
-  };
-  key.set_text = [of, sides](Scene& scene, std::string_view value) {
-    if (value != "auto") {
-      return false;
-    }
-    for (SceneSide Scene::*side : sides) {
-      of(scene.*side).reset();
-    }
-    return true;
+  key.option_unit = [=](std::string_view option, Units units) {
+    return profile_option_unit(option, named, units);
   };
   return key;
 }
@@ -143,47 +124,6 @@ bool parse_inclination(std::string_view text, double& inclination) {
   }
   inclination = (negative ? -1.0 : 1.0) * std::atan(1.0 / n);
   return true;
-}
-
-Key rail_origin_key() {
-  constexpr Range range{-2000.0, 2000.0};
-  Key key;
-  key.description = {"track.rail_origin", "\"gauge\"", "\"gauge\" or -2000 to 2000 mm",
-                     "where rails are: by gauge and rail top, or the origin of their profiles this "
-                     "far outside the track centre, at height 0"};
-  key.dimension = length;
-  key.min = range.min;
-  key.max = range.max;
-  key.get = [](const Scene& scene) {
-    return scene.track.origin ? KeyValue(*scene.track.origin) : KeyValue(std::string("gauge"));
-  };
-  key.set_number = [](Scene& scene, double value) { scene.track.origin = value; };
-  key.set_text = [](Scene& scene, std::string_view value) {
-    if (value == "gauge") {
-      scene.track.origin.reset();
-    }
-    return value == "gauge";
-  };
-  return key;
-}
-
-Key align_key() {
-  Key key;
-  key.description = {"wheelset.align_to", "\"none\"",
-                     "\"none\" or a text: a built-in wheel or a profile file",
-                     "nominal profile on which wheel profiles read from a file are laid where they "
-                     "are not worn"};
-  key.get = [](const Scene& scene) {
-    const std::string& nominal = scene.wheel_placement.align_to;
-    return KeyValue(nominal.empty() ? std::string("none") : nominal);
-  };
-  key.set_text = [](Scene& scene, std::string_view value) {
-    if (!value.empty()) {
-      scene.wheel_placement.align_to = value == "none" ? std::string_view() : value;
-    }
-    return !value.empty();
-  };
-  return key;
 }
 
 /// Waves of a wheel's radius.
@@ -259,28 +199,12 @@ std::vector<Key> make_track_keys() {
     return parse_inclination(v, s.track.inclination);
   };
   keys.push_back(inclination);
-  keys.push_back(rail_origin_key());
-  constexpr std::string_view allowed = "a text: a built-in rail or a profile file";
   const auto rail = [&](std::string_view name, std::string_view meaning, const Sides& sides) {
-    keys.push_back(profile_key({name, "\"60E1\"", allowed, meaning}, ProfileKind::rail,
-                               &SceneSide::rail, sides));
-  };
-  const auto smoothing = [&](std::string_view name, std::string_view meaning, const Sides& sides) {
-    keys.push_back(smoothing_key(across, name, meaning, &SceneSide::rail, sides));
+    keys.push_back(profile_key(name, meaning, ProfileKind::rail, &SceneSide::rail, sides));
   };
   const auto moves = [&](auto... arguments) { keys.push_back(rail_key(arguments...)); };
   rail("track.rail", "profile of both rails", {&Scene::left, &Scene::right});
-  smoothing("track.rail_smoothing", "smoothing wavelength of rail profiles read from a file",
-            {&Scene::left, &Scene::right});
-  keys.push_back(smoothing_key(along, "track.rail_smoothing_along",
-                               "smoothing of rails that vary: waves of this length along the "
-                               "track are halved; 0: the surface passes through the slices; auto: "
-                               "as the slices file says",
-                               &SceneSide::rail, {&Scene::left, &Scene::right}));
   rail("track.left.rail", "profile of the left rail", {&Scene::left});
-  smoothing("track.left.rail_smoothing",
-            "smoothing wavelength of the left rail's profile, if it is read from a file",
-            {&Scene::left});
   moves("track.left.displacement", displacements,
         "displacement of the left rail from its nominal position, for track irregularities or "
         "flexible track; roll about the origin of its profile",
@@ -293,9 +217,6 @@ std::vector<Key> make_track_keys() {
         "solve.derivatives creep_steady_error depends on it, forces do not",
         &Scene::left, &SceneSide::slope);
   rail("track.right.rail", "profile of the right rail", {&Scene::right});
-  smoothing("track.right.rail_smoothing",
-            "smoothing wavelength of the right rail's profile, if it is read from a file",
-            {&Scene::right});
   moves("track.right.displacement", displacements, "displacement of the right rail", &Scene::right,
         &SceneSide::displacement);
   moves("track.right.velocity", velocities, "velocity of the right rail", &Scene::right,
@@ -307,31 +228,19 @@ std::vector<Key> make_track_keys() {
 
 std::vector<Key> make_wheelset_keys() {
   std::vector<Key> keys;
-  constexpr std::string_view allowed = "a text: a built-in wheel or a profile file";
   const auto wheel = [&](std::string_view name, std::string_view meaning, const Sides& sides) {
-    keys.push_back(profile_key({name, "\"S1002\"", allowed, meaning}, ProfileKind::wheel,
-                               &SceneSide::wheel, sides));
-  };
-  const auto smoothing = [&](std::string_view name, std::string_view meaning, const Sides& sides) {
-    keys.push_back(smoothing_key(across, name, meaning, &SceneSide::wheel, sides));
+    keys.push_back(profile_key(name, meaning, ProfileKind::wheel, &SceneSide::wheel, sides));
   };
   const auto radius = [&](std::string_view name, std::string_view meaning, auto... sides) {
     keys.push_back(number_key({name, "460.0", "50 to 5000 mm", meaning}, {50.0, 5000.0}, length,
                               place_of(sides, &SceneSide::radius)...));
   };
   wheel("wheelset.wheel", "profile of both wheels", {&Scene::left, &Scene::right});
-  keys.push_back(smoothing_key(along, "wheelset.wheel_smoothing_along",
-                               "smoothing of wheels that vary: waves of this length around the "
-                               "circumference are halved; 0: the surface passes through the "
-                               "slices; auto: as the slices file says",
-                               &SceneSide::wheel, {&Scene::left, &Scene::right}));
   keys.push_back(harmonics_key(
       "wheelset.harmonics",
       "waves of the radius around both wheels, amplitude cos(order theta - phase): order 1 is an "
       "eccentricity, higher ones polygons; theta points down at pose.pitch = theta",
       {&Scene::left, &Scene::right}));
-  smoothing("wheelset.wheel_smoothing", "smoothing wavelength of wheel profiles read from a file",
-            {&Scene::left, &Scene::right});
   keys.push_back(number_key(
       {"wheelset.back_to_back", "1360.0", "500 to 1650 mm",
        "distance between the inner faces of the wheels"},
@@ -340,39 +249,15 @@ std::vector<Key> make_wheelset_keys() {
       {"wheelset.tape_offset", "70.0", "20 to 120 mm",
        "distance from the inner face to the taping line"},
       {20.0, 120.0}, length, [](auto& s) -> auto& { return s.tape_offset; }));
-  keys.push_back(word_key<WheelOrigin>(
-      {"wheelset.profile_origin", "\"auto\"", "\"auto\", \"tape\" or \"flange-back\"",
-       "where wheel profiles read from a file have lateral 0"},
-      {{"auto", WheelOrigin::by_file},
-       {"tape", WheelOrigin::tape},
-       {"flange-back", WheelOrigin::flange_back}},
-      [](auto& s) -> auto& { return s.wheel_placement.origin; }));
-  keys.push_back(number_key(
-      {"wheelset.profile_shift", "0.0", "-500 to 500 mm",
-       "shift added to lateral positions of wheel profiles read from a file, instead of "
-       "wheelset.profile_origin, so that the taping line is at 0; 0: none"},
-      {-500.0, 500.0}, length, [](auto& s) -> auto& { return s.wheel_placement.lateral_shift; }));
-  keys.push_back(optional_key(
-      {"wheelset.profile_rotation", "\"auto\"", "\"auto\" or -0.5 to 0.5 rad",
-       "rotation of wheel profiles read from a file, anticlockwise in (lateral, height) about the "
-       "taping line; \"auto\": that of parallel faces, else a warning where a tilt shows; 0: none"},
-      {-0.5, 0.5}, angle, [](auto& s) -> auto& { return s.wheel_placement.rotation; }, "auto"));
-  keys.push_back(align_key());
   radius("wheelset.radius", "nominal rolling radius, at the taping line", &Scene::left,
          &Scene::right);
   wheel("wheelset.left.wheel", "profile of the left wheel", {&Scene::left});
   keys.push_back(harmonics_key("wheelset.left.harmonics", "waves of the radius of the left wheel",
                                {&Scene::left}));
-  smoothing("wheelset.left.wheel_smoothing",
-            "smoothing wavelength of the left wheel's profile, if it is read from a file",
-            {&Scene::left});
   radius("wheelset.left.radius", "nominal radius of the left wheel", &Scene::left);
   wheel("wheelset.right.wheel", "profile of the right wheel", {&Scene::right});
   keys.push_back(harmonics_key("wheelset.right.harmonics", "waves of the radius of the right wheel",
                                {&Scene::right}));
-  smoothing("wheelset.right.wheel_smoothing",
-            "smoothing wavelength of the right wheel's profile, if it is read from a file",
-            {&Scene::right});
   radius("wheelset.right.radius", "nominal radius of the right wheel", &Scene::right);
   return keys;
 }

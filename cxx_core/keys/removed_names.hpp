@@ -50,6 +50,21 @@ inline constexpr std::array removed_names{
     RemovedName{
         NameOf::key, "solve.precision",
         "it is an option of a solver: wrc_solver_set_text(solver, \"precision\", \"double\")"},
+    RemovedName{NameOf::key, "track.rail_origin", "use track.rail.origin"},
+    RemovedName{NameOf::key, "track.rail_smoothing", "use track.rail.smoothing"},
+    RemovedName{NameOf::key, "track.rail_smoothing_along", "use track.rail.smoothing_along"},
+    RemovedName{NameOf::key, "track.left.rail_smoothing", "use track.left.rail.smoothing"},
+    RemovedName{NameOf::key, "track.right.rail_smoothing", "use track.right.rail.smoothing"},
+    RemovedName{NameOf::key, "wheelset.wheel_smoothing", "use wheelset.wheel.smoothing"},
+    RemovedName{NameOf::key, "wheelset.wheel_smoothing_along",
+                "use wheelset.wheel.smoothing_along"},
+    RemovedName{NameOf::key, "wheelset.left.wheel_smoothing", "use wheelset.left.wheel.smoothing"},
+    RemovedName{NameOf::key, "wheelset.right.wheel_smoothing",
+                "use wheelset.right.wheel.smoothing"},
+    RemovedName{NameOf::key, "wheelset.profile_origin", "use wheelset.wheel.origin"},
+    RemovedName{NameOf::key, "wheelset.profile_shift", "use wheelset.wheel.shift"},
+    RemovedName{NameOf::key, "wheelset.profile_rotation", "use wheelset.wheel.rotation"},
+    RemovedName{NameOf::key, "wheelset.align_to", "use wheelset.wheel.align_to"},
     // The first of two numbers was the lateral one in grids, the longitudinal one in axes and
     // radii.
     RemovedName{NameOf::result, "grid.0", "grid.lateral"},

@@ -38,13 +38,23 @@ enum class SideChoice { both, left, right };
 enum class LoadOf { pressures, total, normal };
 enum class ModelRequest { automatic, half_space, hertz, kik_piotrowski };
 
+/// How a profile is read and placed: what stands behind its name (keys/profile_text.hpp).
+struct ProfileOptions {
+  /// Wavelength in mm for a profile read from a file, 0: none; automatic if not set.
+  std::optional<double> smoothing{};
+  std::optional<double> smoothing_along{}; ///< of slices, mm; as their file says if not set
+  ProfilePlacement placement{};            ///< of a profile read from a file
+  /// Of a rail: its profile's origin from the track centre (TrackDimensions); by the gauge if not
+  /// set.
+  std::optional<double> rail_origin{};
+  bool operator==(const ProfileOptions&) const = default;
+};
+
 struct ProfileChoice {
   std::string name; ///< of a built-in profile, or a file
   /// Used instead of one of that name if given, which is then its name.
   std::shared_ptr<const Profile> given{};
-  /// Wavelength in mm for a profile read from a file, 0: none; automatic if not set.
-  std::optional<double> smoothing{};
-  std::optional<double> smoothing_along{}; ///< of slices, mm; as their file says if not set
+  ProfileOptions options{};
   std::vector<RadiusHarmonic> harmonics{}; ///< of a wheel's radius
   bool operator==(const ProfileChoice&) const = default;
 };
@@ -73,8 +83,7 @@ struct Scene : WheelOptions {
   SceneSide right;
   TrackDimensions track;
   double back_to_back = 1360.0;
-  double tape_offset = 70.0;        ///< taping line to inner face
-  ProfilePlacement wheel_placement; ///< of wheels read from files
+  double tape_offset = 70.0; ///< taping line to inner face
 
   Material wheel_material{210000.0, 0.3};
   Material rail_material{210000.0, 0.3};

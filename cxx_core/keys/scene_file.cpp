@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "keys/profile_text.hpp"
 #include "keys/scene_keys.hpp"
 #include "measured/readers.hpp"
 #include "profile/writers.hpp"
@@ -54,9 +55,8 @@ std::string lasting_name(const std::string& name, ProfileKind kind) {
   return is_built_in(name, kind) ? name : fs::absolute(name).string();
 }
 
-bool is_wheel_file(const ProfileChoice& wheel) {
-  return !wheel.given && !is_built_in(wheel.name, ProfileKind::wheel);
-}
+/// Of points of a wheel given by the program.
+const ProfilePlacement as_they_are{WheelOrigin::tape, {}, 0.0, {}};
 
 /// Writes the points of a profile given by the program; returns the file's name.
 std::string write_beside(const Profile& profile, const std::string& side,
@@ -69,7 +69,7 @@ std::string write_beside(const Profile& profile, const std::string& side,
   options.smoothing_wavelength = 0.0;
   options.kind = profile.kind;
   if (wheel) {
-    static_cast<ProfilePlacement&>(options) = scene.wheel_placement;
+    static_cast<ProfilePlacement&>(options) = as_they_are;
     options.tape_offset = scene.tape_offset;
   }
   if (read_profile(path, options).profile.points != profile.points) {
@@ -77,6 +77,17 @@ std::string write_beside(const Profile& profile, const std::string& side,
                            "its points would not read back unchanged: give it as a file");
   }
   return path.filename().string();
+}
+
+/// Whether the text of a profile is read as this one: a name may look like options.
+bool reads_back(const ProfileChoice& written, const ProfileKey& key) {
+  ProfileChoice read = written;
+  try {
+    set_profile_text(read, profile_text(written, {}), key, {});
+  } catch (const Error&) {
+    return false;
+  }
+  return read == written;
 }
 
 } // namespace
@@ -111,22 +122,27 @@ std::string scene_text(const Scene& scene) {
 
 void write_scene(const Scene& scene, const fs::path& path) {
   Scene lasting = scene;
-  const bool is_given = scene.left.wheel.given || scene.right.wheel.given;
-  if (is_given && !is_wheel_file(scene.left.wheel) && !is_wheel_file(scene.right.wheel)) {
-    // Points given by the program are as they are.
-    lasting.wheel_placement = {WheelOrigin::tape, 0.0, 0.0, {}};
-  } else if (std::string& nominal = lasting.wheel_placement.align_to; !nominal.empty()) {
-    nominal = lasting_name(nominal, ProfileKind::wheel);
-  }
   const auto lasting_choice = [&](const ProfileChoice& choice, ProfileKind kind,
                                   const std::string& side) {
     ProfileChoice written = choice;
     if (choice.given) {
       written.name = write_beside(*choice.given, side, path, lasting);
       written.given = nullptr;
-      written.smoothing = 0.0;
+      written.options.smoothing = 0.0;
+      if (kind == ProfileKind::wheel) {
+        written.options.placement = as_they_are;
+      }
     } else {
       written.name = lasting_name(choice.name, kind);
+      if (std::string& nominal = written.options.placement.align_to; !nominal.empty()) {
+        nominal = lasting_name(nominal, kind);
+      }
+    }
+    const ProfileKey key{kind == ProfileKind::wheel ? "wheelset.wheel" : "track.rail", kind};
+    if (!reads_back(written, key)) {
+      throw_invalid_argument(std::string(key.name) + ".file", '"' + written.name + '"',
+                             "must be another name to be written in a scene file: it looks like a "
+                             "profile with options");
     }
     return written;
   };

@@ -42,6 +42,10 @@ struct Key {
   std::function<bool(Scene&, std::string_view)> set_text;
   std::function<bool(Scene&, std::span<const double>)> set_numbers;
   std::function<bool(Scene&, const Profile&)> set_profile;
+  /// Options of a profile, as the caller has them (keys/profile_text.hpp).
+  std::function<KeyValue(const Scene&, std::string_view)> get_option;
+  std::function<void(Scene&, std::string_view, std::string_view)> set_option;
+  std::function<std::string(std::string_view, Units)> option_unit;
 };
 
 } // namespace wrc

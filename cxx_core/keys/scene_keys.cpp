@@ -55,6 +55,22 @@ const RemovedName* removed_key(std::string_view name) {
   return found == removed_names.end() ? nullptr : found;
 }
 
+/// Of "track.rail.smoothing" the option of a profile, "smoothing", and the profile's key.
+struct OptionName {
+  const Key& key;
+  std::string_view option;
+};
+std::optional<OptionName> option_named(std::string_view name) {
+  for (const Key& key : keys()) {
+    const std::size_t size = key.description.name.size();
+    if (key.set_option && name.size() > size && name[size] == '.' &&
+        lower_case(name.substr(0, size)) == key.description.name) {
+      return OptionName{key, name.substr(size + 1)};
+    }
+  }
+  return std::nullopt;
+}
+
 const Key& find_key(std::string_view name) {
   const auto find = [](std::string_view spelled) {
     return std::ranges::find(keys(), spelled, [](const Key& key) { return key.description.name; });
@@ -65,6 +81,12 @@ const Key& find_key(std::string_view name) {
   const std::string spelled = lower_case(name); // as all keys are
   if (const auto found = find(spelled); found != keys().end()) {
     return *found;
+  }
+  if (const auto named = option_named(name)) {
+    (void)named->key.option_unit(named->option, Units::mm);
+    throw Error(ErrorCode::invalid_argument,
+                spelled +
+                    " is an option of a profile: it must be one number or a text, by its name");
   }
   if (const RemovedName* removed = removed_key(spelled)) {
     throw Error(ErrorCode::unknown_name, std::string(removed->name) + " is not a key any more: " +
@@ -141,15 +163,13 @@ std::optional<std::string> allowed_for(const Key& key, const Convention& convent
 }
 
 /// Permitted ranges are declared in mm, y left, z up, and stated as the value was given.
-[[noreturn]] void refuse_number(const Key& key, const Convention& convention, double given,
-                                double inside) {
-  if (convention == Convention{} || key.dimension.quantity == Quantity::number) {
-    refuse(key, text_of(given));
-  }
-  if (const std::optional<std::string> allowed = allowed_for(key, convention)) {
-    throw_invalid_argument(std::string(key.description.name), text_of(given), must_be(*allowed));
-  }
-  refuse(key, text_of(given) + " (in mm, N, MPa, y left, z up: " + text_of(inside) + ')');
+[[noreturn]] void refuse_number(const Key& key, const Convention& convention, double given) {
+  const std::string allowed(key.description.allowed);
+  throw_invalid_argument(
+      std::string(key.description.name), text_of(given),
+      must_be(convention == Convention{} || key.dimension.quantity == Quantity::number
+                  ? allowed
+                  : allowed_for(key, convention).value_or(allowed)));
 }
 
 /// A value as the key takes it. Throws Error(invalid_argument).
@@ -158,7 +178,7 @@ double checked_number(const Key& key, const Convention& convention, double value
   const bool permitted =
       inside >= key.min && inside <= key.max && (!key.whole || inside == std::floor(inside));
   if (!key.set_number || !permitted) {
-    refuse_number(key, convention, value, inside);
+    refuse_number(key, convention, value);
   }
   return inside;
 }
@@ -186,6 +206,9 @@ std::span<const KeyDescription> scene_keys() {
 }
 
 KeyValue key_value(const Scene& scene, std::string_view name) {
+  if (const auto named = option_named(name)) {
+    return named->key.get_option(scene, named->option);
+  }
   const Key& key = find_key(name);
   KeyValue value = key.get(scene);
   if (double* number = std::get_if<double>(&value)) {
@@ -195,11 +218,18 @@ KeyValue key_value(const Scene& scene, std::string_view name) {
 }
 
 void set_number(Scene& scene, std::string_view name, double value) {
+  if (const auto named = option_named(name)) {
+    named->key.set_option(scene, named->option, text_of(value));
+    return;
+  }
   const Key& key = find_key(name);
   set_checked_number(scene, key, checked_number(key, scene.convention, value));
 }
 
 std::string key_unit(std::string_view name, Units units) {
+  if (const auto named = option_named(name)) {
+    return named->key.option_unit(named->option, units);
+  }
   const Key& key = find_key(name);
   return key.set_number ? unit_in(units, key.dimension.unit) : "";
 }
@@ -228,6 +258,10 @@ void set_numbers_by_id(Scene& scene, std::span<const std::int32_t> ids,
 }
 
 void set_text(Scene& scene, std::string_view name, std::string_view value) {
+  if (const auto named = option_named(name)) {
+    named->key.set_option(scene, named->option, value);
+    return;
+  }
   const Key& key = find_key(name);
   if (!key.set_text || !key.set_text(scene, value)) {
     refuse_text(key, scene.convention, value);

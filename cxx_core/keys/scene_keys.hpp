@@ -19,7 +19,8 @@ std::span<const KeyDescription> scene_keys();
 /// Value of a key, in the scene's convention. Throws Error(unknown_name).
 KeyValue key_value(const Scene& scene, std::string_view key);
 
-/// Set a key, with numbers in the scene's convention. Each throws Error(unknown_name) for an
+/// Set a key, or an option of a profile ("track.rail.smoothing"), with numbers in the scene's
+/// convention. Each throws Error(unknown_name) for an
 /// unknown key and Error(invalid_argument) for a value of the wrong type or outside its range; the
 /// scene is then unchanged.
 void set_number(Scene& scene, std::string_view key, double value);

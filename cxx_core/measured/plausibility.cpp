@@ -196,7 +196,7 @@ void check_wheel(std::span<const Position> points, double tape_offset, bool is_a
   if (flange->is_down) {
     log.warn(WarningClass::profile_signs, "the flange points to smaller radius, its tip at " +
                                               place_text(flange->tip) +
-                                              "; state profile_origin, mirror_height or the scale");
+                                              "; state origin, mirror_height or the scale");
   }
   if (!flange->is_down && extent_of(points, 1)[1] > flange->tip[1]) {
     log.warn(WarningClass::profile_signs, "height up to " + fixed_text(extent_of(points, 1)[1]) +

@@ -30,33 +30,33 @@ inline constexpr Shape width{{50.0, 200.0},
 /// origin: published: flanges are 20 (trams) to 38 mm (worn) high.
 inline constexpr Shape flange_height{{20.0, 45.0},
                                      WarningClass::profile_dimensions,
-                                     "flange height % mm, expected < to >; state profile_origin, "
+                                     "flange height % mm, expected < to >; state origin, "
                                      "mirror_height or the scale"};
 /// Of the flange tip from the flange back.
 /// origin: published: 10 to 21 mm (EN 13715).
 inline constexpr Shape tip_distance{{8.0, 28.0},
                                     WarningClass::profile_origin,
                                     "with the taping line at 0, the flange tip's distance from the "
-                                    "flange back is % mm, expected < to >; state profile_origin"};
+                                    "flange back is % mm, expected < to >; state origin"};
 /// Of the flange back from where the taping line says.
 /// origin: reasoned: backs wear by 2 mm at most.
 inline constexpr Shape back_distance{
     {-4.0, 4.0},
     WarningClass::profile_origin,
     "the flange back is at lateral % mm, expected % by the distance of the taping line; state "
-    "profile_origin or tape_offset"};
+    "origin or tape_offset"};
 /// Lateral that a wheel has beside its taping line: its flange root and the outer tread.
 /// origin: published: the flank begins 32 to 40 mm beside the taping line (EN 13715).
 inline constexpr Shape reach{{-20.0, 20.0},
                              WarningClass::profile_origin,
                              "lateral from % to % mm: the taping line, at 0, is not inside by > "
-                             "mm; state profile_origin, mirror_height or the scale"};
+                             "mm; state origin, mirror_height or the scale"};
 /// Of a wheel at its taping line; more is another origin and no rounding of a drawing.
 /// origin: reasoned: coefficients of standards leave 0.03 mm; the radius would be wrong by as much.
 inline constexpr Shape tape_height{{-1.0, 1.0},
                                    WarningClass::profile_origin,
                                    "height % mm at the taping line, expected 0; state "
-                                   "profile_origin, mirror_height or the scale"};
+                                   "origin, mirror_height or the scale"};
 /// Height of a rail's crown.
 /// origin: measured: worn rails of the collection have their crown at up to 1.7 mm below 0.
 inline constexpr Shape crown_height{{-5.0, 5.0},

@@ -311,8 +311,8 @@ void check_options(const ReadOptions& options) {
                            "must be between -" + text_of(ReadLimits::max_rotation) + " and " +
                                text_of(ReadLimits::max_rotation) + " rad");
   }
-  if (!(std::abs(options.lateral_shift) <= ReadLimits::max_length)) {
-    throw_invalid_argument("lateral_shift", options.lateral_shift,
+  if (options.lateral_shift && !(std::abs(*options.lateral_shift) <= ReadLimits::max_length)) {
+    throw_invalid_argument("lateral_shift", *options.lateral_shift,
                            "must be between -" + text_of(ReadLimits::max_length) + " and " +
                                text_of(ReadLimits::max_length) + " mm");
   }

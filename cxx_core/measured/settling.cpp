@@ -251,8 +251,8 @@ bool counts_from_flange_back(const RawProfile& raw) {
 std::optional<double> shift_to_taping_line(const RawProfile& raw, double tape_offset,
                                            const ReadOptions& options, Log& log) {
   if (options.is_shifted()) {
-    log.note("lateral shifted by " + text_of(options.lateral_shift) + " mm as requested");
-    return options.lateral_shift;
+    log.note("lateral shifted by " + text_of(*options.lateral_shift) + " mm as requested");
+    return *options.lateral_shift;
   }
   const std::string shifted = ": shifted by " + text_of(-tape_offset) + " mm to the taping line";
   if (options.origin == WheelOrigin::flange_back) {
@@ -267,7 +267,7 @@ std::optional<double> shift_to_taping_line(const RawProfile& raw, double tape_of
   if (raw.counts_from_flange_back) {
     log.note(text);
   } else {
-    log.guess(text, "state profile_origin");
+    log.guess(text, "state origin");
   }
   return -tape_offset;
 }
@@ -289,7 +289,7 @@ void settle_origin(RawProfile& raw, double tape_offset, const ReadOptions& optio
   if (by) {
     log.note(text);
   } else {
-    log.guess(text, "state profile_origin");
+    log.guess(text, "state origin");
   }
 }
 

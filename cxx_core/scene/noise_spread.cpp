@@ -43,7 +43,7 @@ void take_curve(ProfileChoice& choice, ProfileKind kind, const NoisyScene::Doubt
   profile->kind = kind;
   profile->curve = curve_of(doubt.get(), line);
   choice.given = std::move(profile);
-  choice.smoothing.reset();
+  choice.options = {.rail_origin = choice.options.rail_origin};
 }
 
 /// The scene with curves of its profiles, on grids by accuracy, whatever the caller's are.

@@ -10,6 +10,7 @@
 #include "base/stopwatch.hpp"
 #include "geometry/along_check.hpp"
 #include "geometry/constants.hpp"
+#include "keys/profile_text.hpp"
 #include "measured/readers.hpp"
 #include "measured/sliced_profile_reader.hpp"
 #include "scene/constants.hpp"
@@ -82,7 +83,7 @@ Profile profile_of(const SlicedProfile& sliced) {
 std::shared_ptr<const RailSurface> surface_of(const SlicedProfile& sliced,
                                               const SurfaceSource<TrackDimensions>& source,
                                               Warnings& warnings) {
-  auto slices = sliced_rail(sliced, source.profile.smoothing_along);
+  auto slices = sliced_rail(sliced, source.profile.options.smoothing_along);
   warnings = warnings_of(check_along(sliced, slices->sheets()), ProfileKind::rail);
   return std::make_shared<const RailSurface>(std::move(slices), sliced.slices.front().curve,
                                              source.dimensions);
@@ -92,8 +93,8 @@ std::shared_ptr<const WheelSurface> surface_of(const SlicedProfile& sliced,
                                                const SurfaceSource<WheelsetDimensions>& source,
                                                Warnings& warnings) {
   const double radius = source.dimensions.radius;
-  auto slices =
-      sliced_wheel(sliced, radius, source.profile.harmonics, source.profile.smoothing_along);
+  auto slices = sliced_wheel(sliced, radius, source.profile.harmonics,
+                             source.profile.options.smoothing_along);
   warnings = warnings_of(check_along(sliced, slices->sheets(), {"mm", radius}), ProfileKind::wheel);
   return std::make_shared<const WheelSurface>(std::move(slices), source.dimensions, 0.0);
 }
@@ -115,8 +116,7 @@ std::shared_ptr<const WheelSurface> surface_of(const Profile& profile,
 }
 
 /// Throws for what slices cannot be read with.
-void check_slices(const ProfileChoice& choice, const ProfilePlacement& placement, ProfileKind kind,
-                  const std::string& key) {
+void check_slices(const ProfileChoice& choice, ProfileKind kind, const std::string& key) {
   const char last = choice.name.back();
   if ((last == 's' || last == 'S') != (kind == ProfileKind::rail)) {
     throw_invalid_argument(key, choice.name,
@@ -124,20 +124,10 @@ void check_slices(const ProfileChoice& choice, const ProfilePlacement& placement
                                ? "these are slices of a wheel; they must be of a rail, .slcs"
                                : "these are slices of a rail; they must be of a wheel, .slcw");
   }
-  const std::string allowed = "not allowed with slices, whose place their list gives";
-  if (placement.origin != WheelOrigin::by_file) {
-    throw_invalid_argument("wheelset.profile_origin",
-                           placement.origin == WheelOrigin::tape ? "\"tape\"" : "\"flange-back\"",
-                           allowed);
-  }
-  if (placement.is_shifted()) {
-    throw_invalid_argument("wheelset.profile_shift", placement.lateral_shift, allowed);
-  }
-  if (placement.rotation) {
-    throw_invalid_argument("wheelset.profile_rotation", *placement.rotation, allowed);
-  }
-  if (!placement.align_to.empty()) {
-    throw_invalid_argument("wheelset.align_to", placement.align_to, allowed);
+  if (choice.options.placement != ProfilePlacement{}) {
+    throw_invalid_argument(key, '"' + profile_text(choice, {}) + '"',
+                           "must have no origin, shift, rotation or align_to: slices are where "
+                           "their list has them");
   }
 }
 
@@ -165,10 +155,10 @@ std::shared_ptr<const Surface>
 surface_of_slices(const SurfaceSource<Dimensions>& source, ProfileKind kind, const std::string& key,
                   std::vector<std::string>& corrections, Warnings& warnings) {
   const std::string& name = source.profile.name;
-  check_slices(source.profile, source.placement, kind, key);
+  check_slices(source.profile, kind, key);
   ReadOptions options;
   options.kind = kind;
-  options.smoothing_wavelength = source.profile.smoothing.value_or(automatic_smoothing);
+  options.smoothing_wavelength = source.profile.options.smoothing.value_or(automatic_smoothing);
   try {
     const SlicedProfile sliced = read_sliced_profile(name, options);
     for (const std::string& line : sliced.corrections) {
@@ -191,24 +181,30 @@ template <class Dimensions>
 Profile load_profile(const SurfaceSource<Dimensions>& source, ProfileKind kind,
                      const std::string& key, std::vector<std::string>& corrections) {
   const ProfileChoice& choice = source.profile;
-  const auto refuse_smoothing = [&](const std::string& reason) {
-    if (choice.smoothing.value_or(0.0) > 0.0) {
-      throw_invalid_argument(key + "_smoothing", *choice.smoothing,
-                             "must be \"auto\" or 0 with " + reason);
+  // Where its profile is has an effect on any rail.
+  const auto refuse_options = [&](const std::string& reason) {
+    ProfileOptions without = choice.options;
+    without.rail_origin.reset();
+    if (without.smoothing == 0.0) {
+      without.smoothing.reset();
+    }
+    if (without != ProfileOptions{}) {
+      throw_invalid_argument(key, '"' + profile_text(choice, {}) + '"',
+                             "must have no such options: it is " + reason);
     }
   };
   if (choice.given) {
-    refuse_smoothing("a profile given by the program");
+    refuse_options("a profile given by the program");
     return *choice.given;
   }
   if (!standard_name(choice.name, kind).empty()) {
-    refuse_smoothing("a built-in profile, which is exact");
+    refuse_options("a built-in profile, which is exact");
     return standard_profile(choice.name);
   }
   ReadOptions options;
   options.kind = kind;
-  options.smoothing_wavelength = choice.smoothing.value_or(automatic_smoothing);
-  static_cast<ProfilePlacement&>(options) = source.placement;
+  options.smoothing_wavelength = choice.options.smoothing.value_or(automatic_smoothing);
+  static_cast<ProfilePlacement&>(options) = choice.options.placement;
   set_tape_offset(options, source.dimensions);
   return read_file(choice, options, kind, key, corrections);
 }
@@ -224,9 +220,9 @@ void warn_of_place(const RailSurface& surface, const TrackDimensions& track, War
 void warn_of_place(const WheelSurface&, const WheelsetDimensions&, Warnings&) {}
 
 /// Of the files of a profile; one that cannot be seen has size 0.
-std::vector<FileStamp> stamps_of(const ProfileChoice& choice, const ProfilePlacement& placement) {
+std::vector<FileStamp> stamps_of(const ProfileChoice& choice) {
   std::vector<FileStamp> stamps;
-  for (const std::string& name : {choice.name, placement.align_to}) {
+  for (const std::string& name : {choice.name, choice.options.placement.align_to}) {
     std::error_code unseen;
     FileStamp stamp;
     stamp.size = std::filesystem::file_size(name, unseen);
@@ -282,9 +278,8 @@ get_one(RecentSurfaces<Surface, Dimensions>& kept, bool watches_files,
   };
   const bool has_file = !source.profile.given && standard_name(source.profile.name, kind).empty();
   auto entry = !watches_files || !has_file ? kept.get(source, {}, make)
-               : is_sliced(source.profile)
-                   ? make()
-                   : kept.get(source, stamps_of(source.profile, source.placement), make);
+               : is_sliced(source.profile) ? make()
+                                           : kept.get(source, stamps_of(source.profile), make);
   for (const std::string& correction : entry.corrections) { // both sides may have the same
     if (std::find(all.corrections.begin(), all.corrections.end(), correction) ==
         all.corrections.end()) {
@@ -314,12 +309,13 @@ SceneSurfaces SurfaceCache::get(const Scene& scene) {
       wheel.harmonics.clear();
     }
     SideSurfaces found;
-    found.wheel = get_one(
-        wheels_, watches_files_,
-        {wheel, {scene.back_to_back, scene.tape_offset, side.radius}, scene.wheel_placement},
-        ProfileKind::wheel, key(&SceneSide::wheel, "wheelset.", "wheel"), which, is_solved,
-        found.wheel_doubt, surfaces);
-    found.rail = get_one(rails_, watches_files_, {side.rail, scene.track}, ProfileKind::rail,
+    found.wheel = get_one(wheels_, watches_files_,
+                          {wheel, {scene.back_to_back, scene.tape_offset, side.radius}},
+                          ProfileKind::wheel, key(&SceneSide::wheel, "wheelset.", "wheel"), which,
+                          is_solved, found.wheel_doubt, surfaces);
+    TrackDimensions track = scene.track;
+    track.origin = side.rail.options.rail_origin;
+    found.rail = get_one(rails_, watches_files_, {side.rail, track}, ProfileKind::rail,
                          key(&SceneSide::rail, "track.", "rail"), which, is_solved,
                          found.rail_doubt, surfaces);
     if (is_solved || !scene.roll) { // without a roll both wheels are needed

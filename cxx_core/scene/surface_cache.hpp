@@ -46,7 +46,6 @@ struct SceneSurfaces {
 template <class Dimensions> struct SurfaceSource {
   ProfileChoice profile;
   Dimensions dimensions;
-  ProfilePlacement placement{};
 
   bool operator==(const SurfaceSource&) const = default;
 };

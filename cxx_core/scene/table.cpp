@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/lower_case.hpp"
 #include "base/nearest_names.hpp"
 #include "keys/scene_file.hpp"
 #include "keys/scene_keys.hpp"
@@ -53,7 +54,7 @@ TableGrid::TableGrid(const Scene& scene, std::string_view keys, const double* va
                              "must be at least 1, with at most 2^28 numbers in all");
     }
     if (std::any_of(axes_.begin(), axes_.end(),
-                    [id = key_id(key)](const Axis& axis) { return key_id(axis.key) == id; })) {
+                    [&](const Axis& axis) { return lower_case(axis.key) == lower_case(key); })) {
       throw Error(ErrorCode::invalid_argument,
                   "keys: \"" + key + "\" occurs twice; each key is allowed once");
     }

@@ -2,6 +2,8 @@
 /// library (wrc_scene_key).
 #pragma once
 
+#include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,14 +24,19 @@ void set_values(Scene& scene, const Values& values);
 
 /// All keys of a scene with their values. Keys of both sides that differ have none.
 Values values_in_force(const Scene& scene);
-/// Whether the text of a key that names a profile is that of a file, which is there.
-bool is_profile_file(const std::string& name);
-/// The files among the profiles of a scene, each once.
-std::vector<std::string> profile_files(const Scene& scene);
+/// The name in the text of a profile, which is that of a key: of "worn.txt; smoothing = 5" it is
+/// "worn.txt".
+std::string profile_name(const std::string& key, const std::string& text);
+/// The files that the profiles of a scene are read from, and those they are aligned to.
+std::set<std::string> profile_files(const Scene& scene);
+/// Likewise of two profiles; no rail if it is empty.
+std::vector<std::filesystem::path> files_of(const std::string& wheel, const std::string& rail);
 
-/// Profile files named in a scene file are looked up beside it: the path if one is there, or else
-/// the name as it is.
-std::string beside(const std::string& file, const std::string& profile);
+/// Profile files named in a scene file, also in the option align_to, are looked up beside it: the
+/// path if one is there, or else the name as it is, with the other options of the value.
+std::string beside(const std::string& file, const std::string& key, const std::string& value);
+/// The key of the profile of which this is an option, or ".file"; empty for others.
+std::string profile_of(const std::string& key);
 /// Whether the key's text names a profile, and whether a list is one value of the key, as the
 /// library's table of keys has it.
 bool names_profile(const std::string& key);
@@ -42,10 +49,12 @@ bool is_slices_file(const std::string& name);
 /// the wheel; `what` says where profiles do not: "in a mission".
 void refuse_varying(const Scene& scene, const std::string& what);
 
-/// A profile by its built-in name or from a file, as a scene with these keys reads it: smoothing,
-/// and of wheels taping line and shift. Throws Failure if it is of the other kind, or one that
-/// varies.
-Profile load_profile(const Scene& scene, std::int32_t kind, const std::string& name);
+/// A profile by its built-in name or from a file, with its options, as a scene with these keys
+/// reads it: the taping line of a wheel is that of the scene. Throws Failure if it is of the other
+/// kind, or one that varies.
+Profile load_profile(const Scene& scene, std::int32_t kind, const std::string& profile);
+/// Lets a scene use a rail loaded from this text, whose option origin says where it is.
+void use_rail(Scene& scene, const Profile& rail, const std::string& text);
 
 /// "key=value" taken apart; throws Failure if there is no key.
 struct Assignment {

@@ -28,6 +28,9 @@ struct Options {
   std::vector<std::string> assignments;
   int threads = 1;
   bool quiet = false;
+
+  [[nodiscard]] std::string wheel_name() const { return profile_name("wheelset.wheel", wheel); }
+  [[nodiscard]] std::string rail_name() const { return profile_name("track.rail", rail); }
 };
 
 /// A folder for pictures on their way into the page.
@@ -59,7 +62,7 @@ std::string file_name(const std::string& profile) {
 /// Texts that quote the profiles' files, without their folders.
 class Shortener {
 public:
-  explicit Shortener(const Options& options) : names_{options.wheel, options.rail} {}
+  explicit Shortener(const Options& options) : names_{options.wheel_name(), options.rail_name()} {}
 
   [[nodiscard]] std::string operator()(std::string text) const {
     for (const std::string& name : names_) {
@@ -319,7 +322,7 @@ std::string report(const Options& options) {
   }
 
   const Shortener shorten(options);
-  HtmlPage page(file_name(options.wheel) + " on " + file_name(options.rail));
+  HtmlPage page(file_name(options.wheel_name()) + " on " + file_name(options.rail_name()));
   std::string conditions;
   const auto values = values_in_force(plain);
   const bool one_load = values.contains("load.both");
@@ -353,9 +356,9 @@ std::string report(const Options& options) {
   }
   add_positions(page, folder, positions);
   add_conicity(page, folder, conicity);
-  add_profile(page, folder, pair.wheel, file_name(options.wheel),
+  add_profile(page, folder, pair.wheel, file_name(options.wheel_name()),
               -plain.get_number("wheelset.tape_offset"), shorten);
-  add_profile(page, folder, pair.rail, file_name(options.rail), 0.0, shorten);
+  add_profile(page, folder, pair.rail, file_name(options.rail_name()), 0.0, shorten);
   return page.text();
 }
 
@@ -386,8 +389,7 @@ int main(int argc, char** argv) {
              "  wrc_report S1002 60E1\n"
              "  wrc_report worn.prw 54E3 --page worn.html --set load.both=100000\n");
   return app.run(argc, argv, [&] {
-    const auto file = [](const std::string& name) { return is_standard(name) ? "" : name; };
-    refuse_overwriting({options.page}, {file(options.wheel), file(options.rail)});
+    refuse_overwriting({options.page}, files_of(options.wheel, options.rail));
     require_gnuplot();
     const std::string page = report(options);
     write_whole(options.page, [&](std::ostream& out) { out << page; });

@@ -81,12 +81,12 @@ Position solved(Scene& scene, double lateral) {
 
 Pair::Pair(const std::string& wheel_name, const std::string& rail_name,
            std::vector<std::string> keys)
-    : assignments(std::move(keys)) {
+    : assignments(std::move(keys)), rail_text(rail_name) {
   for (const std::string& text : assignments) {
     const std::string key = split_assignment(text).key;
     for (const char* own : {"wheelset.wheel", "track.rail", "pose.lateral", "solve.side",
                             "convention.units", "convention.frame"}) {
-      if (key == own) {
+      if (key == own || profile_of(key) == own) {
         throw Failure("--set " + text + ": must be another key; the report sets " + key +
                       " itself");
       }
@@ -103,7 +103,7 @@ Scene Pair::scene() const {
   made.set("solve.accuracy", 1e-2);
   apply_assignments(made, assignments);
   made.set("wheelset.wheel", wheel);
-  made.set("track.rail", rail);
+  use_rail(made, rail, rail_text);
   return made;
 }
 

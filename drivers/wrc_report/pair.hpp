@@ -27,6 +27,7 @@ struct Pair {
   std::vector<std::string> assignments;
   Profile wheel;
   Profile rail;
+  std::string rail_text; ///< with the options of the rail
 };
 
 /// Positions go to both sides this far, in such steps, mm.

@@ -212,9 +212,13 @@ PictureRequest read_picture(const toml::table& table, const Study& study) {
 }
 
 /// What a profile is called in pictures: a reconstruction says so, a file is named without folder.
-std::string profile_title(const std::string& name) {
+std::string profile_title(const std::string& key, const std::string& value) {
+  const std::string name = profile_of(key).empty() ? profile_name(key, value) : value;
   if (!is_standard(name)) {
-    return is_profile_file(name) ? std::filesystem::path(name).filename().string() : name;
+    std::error_code trouble;
+    return std::filesystem::is_regular_file(name, trouble)
+               ? std::filesystem::path(name).filename().string()
+               : name;
   }
   Profile profile;
   profile.load_standard(name);
@@ -227,7 +231,7 @@ std::string profile_title(const std::string& name) {
 std::optional<std::string> shown_value(const std::string& key, const Study& study) {
   if (const auto found = study.fixed.find(key); found != study.fixed.end()) {
     const std::string value = text_of(found->second);
-    return names_profile(key) ? profile_title(value) : value;
+    return names_profile(key) ? profile_title(key, value) : value;
   }
   const int axis = study.axis_of(key);
   if (axis < 0) { // of a key that is not set, its default
@@ -245,7 +249,7 @@ std::optional<std::string> shown_value(const std::string& key, const Study& stud
   }
   std::string names;
   for (const Value& value : values) {
-    names += (names.empty() ? "" : ", ") + profile_title(text_of(value));
+    names += (names.empty() ? "" : ", ") + profile_title(key, text_of(value));
   }
   return names;
 }

@@ -104,6 +104,12 @@ Values Study::constants() const {
     }
     all.erase(axis.key);
   }
+  for (const auto& [key, value] : fixed) {
+    const auto is_of = [&](const Axis& axis) { return profile_of(axis.key) == key; };
+    if (!profile_of(key).empty() || std::any_of(axes.begin(), axes.end(), is_of)) {
+      all.insert_or_assign(key, value); // options of a profile, and what the varied ones are of
+    }
+  }
   return all;
 }
 

@@ -81,6 +81,12 @@ std::vector<Value> range_values(const std::string& key, const toml::table& range
   return all;
 }
 
+/// The key of a profile, of which the file is what its text says without options.
+std::string without_file(const std::string& key) {
+  const std::string profile = profile_of(key);
+  return key == profile + ".file" ? profile : key;
+}
+
 /// Reads keys with one or more values; remembers the positions of axes in the file.
 class KeyReader {
 public:
@@ -88,7 +94,7 @@ public:
 
   void read(const toml::table& table, const std::string& prefix) {
     for (const auto& [key, node] : table) {
-      const std::string name = name_within(prefix, key);
+      const std::string name = without_file(name_within(prefix, key));
       if (prefix.empty() && (name == "study" || name == "picture")) {
         continue;
       }
@@ -140,15 +146,20 @@ private:
     Axis axis;
   };
 
+  /// On the command line a profile comes without the options that the file gives another one.
   void remove(const std::string& key) {
-    fixed_.erase(key);
-    std::erase_if(axes_, [&](const PlacedAxis& axis) { return axis.axis.key == key; });
+    const auto is_gone = [&](const std::string& one) {
+      return one == key ||
+             (from_command_line_ && profile_of(one) == key && !assigned_.contains(one));
+    };
+    std::erase_if(fixed_, [&](const auto& entry) { return is_gone(entry.first); });
+    std::erase_if(axes_, [&](const PlacedAxis& axis) { return is_gone(axis.axis.key); });
   }
 
   [[nodiscard]] Value one(const std::string& key, const toml::node& node) const {
     Value value = value_of(key, node);
     if (std::string* name = std::get_if<std::string>(&value); name && names_profile(key)) {
-      *name = from_command_line_ ? *name : beside(path_, *name);
+      *name = from_command_line_ ? *name : beside(path_, key, *name);
     }
     return value;
   }
@@ -156,7 +167,7 @@ private:
   /// Names file and line of a key that the library does not know.
   void refuse_unknown(const std::string& key, const toml::node& node) const {
     try {
-      (void)scene_.key_id(key);
+      (void)scene_.key_unit(key);
     } catch (const wrcontact::Error& error) {
       throw Failure("study file " + path_ + ", line " + std::to_string(node.source().begin.line) +
                     ": " + error.what());
@@ -200,12 +211,13 @@ private:
     // A key that was varied already keeps its position.
     const auto old = std::find_if(axes_.begin(), axes_.end(),
                                   [&](const PlacedAxis& axis) { return axis.axis.key == key; });
+    PlacedAxis placed{line, column, {key, std::move(values)}};
     if (old != axes_.end()) {
-      old->axis.values = std::move(values);
-      return;
+      placed.line = old->line;
+      placed.column = old->column;
     }
     remove(key);
-    axes_.push_back({line, column, {key, std::move(values)}});
+    axes_.push_back(std::move(placed));
   }
 
   Scene scene_; ///< that knows the keys
@@ -276,8 +288,10 @@ std::set<std::string> slices_of(const InputFile& list) {
 std::vector<InputFile> inputs_of(InputFile file, const Study& study) {
   std::set<std::string> profiles;
   const auto take = [&](const std::string& key, const Value& value) {
-    if (names_profile(key) && is_profile_file(text_of(value))) {
-      profiles.insert(text_of(value));
+    if (names_profile(key)) {
+      Scene scene;
+      set_value(scene, key, value);
+      profiles.merge(profile_files(scene));
     }
   };
   for (const auto& [key, value] : study.fixed) {
@@ -363,7 +377,7 @@ Study read_study(const std::string& path, const StudyChanges& changes) {
     if (assignment.is_toml()) {
       reader.read(parse_assignment(text, assignment.key, assignment.value), "");
     } else {
-      reader.set_bare(assignment.key, assignment.value);
+      reader.set_bare(without_file(assignment.key), assignment.value);
     }
   }
   reader.set_names("wheelset.wheel", changes.wheels);

@@ -53,18 +53,29 @@ double lateral_for(Scene& scene, double wanted, double clearance) {
   return clearance;
 }
 
+struct Options {
+  std::string wheel = "S1002";
+  std::string rail;
+  std::string mission;
+  std::string plot;
+  std::string save;
+  double distance = 20000.0;
+  int threads = 2;
+  std::vector<std::string> assignments;
+};
+
 /// `rail`: instead of that of the keys, if there is one.
 Scene scene_on(const WornProfile& wheel, const std::optional<Profile>& rail,
-               const std::vector<std::string>& assignments) {
+               const Options& options) {
   Scene scene;
   scene.set("solve.accuracy", 1e-2);
   scene.set("solve.accuracy_of", "forces");
   scene.set("solve.results", "wear");
   scene.set("motion.pitch", "free");
-  apply_assignments(scene, assignments);
+  apply_assignments(scene, options.assignments);
   scene.set("wheelset.wheel", wheel.profile());
   if (rail) {
-    scene.set("track.rail", *rail);
+    use_rail(scene, *rail, options.rail);
   }
   return scene;
 }
@@ -152,30 +163,23 @@ void draw(const WornProfile& profile, const std::string& path, const std::string
   gnuplot.draw(path, 900, 900);
 }
 
-struct Options {
-  std::string wheel = "S1002";
-  std::string rail;
-  std::string mission;
-  std::string plot;
-  std::string save;
-  double distance = 20000.0;
-  int threads = 2;
-  std::vector<std::string> assignments;
-};
-
 /// Mistakes that show before the mission begins.
 void check(const Options& options) {
   if (!options.plot.empty()) {
     require_picture_name(options.plot);
   }
-  const auto file = [](const std::string& name) { return is_standard(name) ? "" : name; };
-  refuse_overwriting({options.plot, options.save},
-                     {file(options.wheel), file(options.rail), options.mission});
+  std::vector<std::filesystem::path> inputs = files_of(options.wheel, options.rail);
+  inputs.emplace_back(options.mission);
+  refuse_overwriting({options.plot, options.save}, inputs);
   for (const std::string& text : options.assignments) {
     const std::string key = split_assignment(text).key;
-    if (key == "wheelset.wheel" || key.starts_with("convention.")) {
+    const bool of_wheel = key == "wheelset.wheel" || profile_of(key) == "wheelset.wheel";
+    const bool of_rail = !options.rail.empty() && profile_of(key) == "track.rail";
+    if (of_wheel || of_rail || key.starts_with("convention.")) {
       throw Failure("--set " + text + ": must be a key other than " + key +
-                    (key == "wheelset.wheel" ? ", for which there is --wheel" : ""));
+                    (of_wheel  ? ", for which there is --wheel"
+                     : of_rail ? ", for which there is --rail"
+                               : ""));
     }
   }
 }
@@ -207,11 +211,10 @@ void run(Options options) {
   WarningSummary warnings;
   std::int64_t solved = 0;
   while (done < options.distance) {
-    const std::vector<Passage> passages =
-        passages_of(scene_on(profile, rail, options.assignments), mission);
+    const std::vector<Passage> passages = passages_of(scene_on(profile, rail, options), mission);
     std::vector<Scene> scenes; // made by one thread: a profile serves one at a time
     for (std::size_t i = 0; i < passages.size(); ++i) {
-      scenes.push_back(scene_on(profile, rail, options.assignments));
+      scenes.push_back(scene_on(profile, rail, options));
     }
     std::vector<Worn> worn(passages.size());
     for_each_index(passages.size(), options.threads,
@@ -249,8 +252,11 @@ void run(Options options) {
   }
   if (!options.plot.empty()) {
     draw(profile, options.plot,
-         without_markup(std::filesystem::path(options.wheel).filename().string()) + " after " +
-             general(options.distance, 6) + " km, worn area " + fixed(volume, 1) + " mm^2");
+         without_markup(std::filesystem::path(profile_name("wheelset.wheel", options.wheel))
+                            .filename()
+                            .string()) +
+             " after " + general(options.distance, 6) + " km, worn area " + fixed(volume, 1) +
+             " mm^2");
   }
 }
 

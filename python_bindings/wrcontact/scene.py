@@ -95,8 +95,11 @@ class Scene(Handle):
 
     Keyword arguments are keys (see `key_of`; `wrcontact.keys()` lists them with defaults, ranges and
     units). Values are numbers, texts, lists, `True` and `False` for "yes" and "no", `None` for
-    "none", and a Profile for a wheel or rail. mm, N, MPa, rad; x forward, y to the left, z up; the
-    keys of `convention` change that, and are set first wherever they stand.
+    "none", and a Profile for a wheel or rail, or a dict of its file and options, as in
+    `rail={"file": "worn.txt", "smoothing": 5}`, which is "worn.txt; smoothing = 5". Each option is
+    also a key behind that of the profile, `scene["track.rail.smoothing"]`. mm, N, MPa, rad;
+    x forward, y to the left, z up; the keys of `convention` change that, and are set first
+    wherever they stand.
 
     A scene serves one thread at a time (Busy); different scenes are independent.
     """
@@ -132,6 +135,10 @@ class Scene(Handle):
     def __setitem__(self, key: str, value: Any) -> None:
         key = key_of(key)
         code, given = encoded(key), value
+        if isinstance(value, Mapping):
+            for name in sorted(value, key="file".__ne__):  # its options are behind it
+                self[f"{key}.{name}"] = value[name]
+            return
         if value is None or isinstance(value, (bool, np.bool_)):
             value = "none" if value is None else "yes" if value else "no"
         if isinstance(value, (int, float, np.number)):
@@ -147,8 +154,10 @@ class Scene(Handle):
             status = lib.wrc_scene_set_numbers(self._handle, code, pointer(numbers), numbers.size)
             given = numbers.copy()
         self._check(status)
-        # Values are read in the convention of their time, so every change of it counts.
-        times = len(self._given) + 1 if key.startswith("convention.") else 0
+        # Values are read in the convention of their time, so every change of it counts, and so do options
+        # of the profile set before.
+        adds = isinstance(given, str) and given.lstrip().startswith(";")
+        times = len(self._given) + 1 if adds or key.startswith("convention.") else 0
         self._given.pop((key, times), None)
         self._given[key, times] = given
 

@@ -70,7 +70,7 @@ def study(parameters: Mapping[str, Any], results: Sequence[str] = ("left.pmax", 
     variables["warnings"] = (dims, texts.reshape(shape))
     warn_of_many(warned)
     coordinates = {key: (array.dims, [_told(value) for value in array.values],
-                         {"long_name": keys()[key].meaning, **_units(key, plain, array.values)})
+                         {"long_name": keys()[key].meaning if key in keys() else key, **_units(key, plain, array.values)})
                    for key, array in arrays.items()}
     attributes = {"source": f"wrcontact {string(lib.wrc_version())}", **_constant(arrays, values)}
     data = xarray.Dataset(variables, coordinates, attributes)
@@ -158,8 +158,11 @@ def _ids(names: Sequence[str], kind: str) -> Any:
 
 
 def _setter(columns: Mapping[str, Any]) -> Any:
-    """What sets the keys of a row: by id if all are numbers, otherwise one by one."""
-    if not all(np.issubdtype(column.dtype, np.number) for column in columns.values()):
+    """What sets the keys of a row: by id if all are numbers, otherwise one by one.
+
+    Options of profiles have no ids.
+    """
+    if not all(np.issubdtype(column.dtype, np.number) and key in keys() for key, column in columns.items()):
         def set_words(scene: Scene, row: int) -> None:
             for key, column in columns.items():
                 scene[key] = column[row]

@@ -283,9 +283,9 @@ TEST_F(SceneFile, ProfilesFromTheProgramEqualThoseOfAFile) {
   ASSERT_EQ(wrc_scene_set_profile(scene.get(), "wheelset.wheel", wheel.get()), WRC_OK);
   ASSERT_EQ(wrc_scene_set_profile(scene.get(), "track.rail", rail.get()), WRC_OK);
   solve(scene.get());
-  set(scene.get(), {{"track.rail_smoothing", 2.0}});
+  set(scene.get(), {{"track.rail", "; smoothing = 2"}});
   EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_INVALID_ARGUMENT);
-  set(scene.get(), {{"track.rail_smoothing", 0.0}});
+  set(scene.get(), {{"track.rail", "; smoothing = 0"}});
 
   ASSERT_EQ(wrc_scene_write(scene.get(), path("scene.toml").c_str()), WRC_OK);
   const ScenePointer by_file = make_small_scene();

@@ -203,7 +203,7 @@ TEST_F(Solving, AMalformedProfileFileIsReportedWithItsLine) {
 TEST_F(Solving, SmoothingOfABuiltInProfileIsRefused) {
   const ScenePointer scene = make_small_scene();
   solve(scene.get());
-  set(scene.get(), {{"track.rail_smoothing", 3.0}});
+  set(scene.get(), {{"track.rail", "60E1; smoothing = 3"}});
   expect_failure_keeps_results(scene.get(), WRC_INVALID_ARGUMENT);
 }
 

@@ -13,7 +13,7 @@ protected:
   /// Of a wheel in wheel.dat.
   [[nodiscard]] driver::CsvTable table_of(const std::string& rail, const std::string& lateral) {
     write("s.toml", rail +
-                        "[wheelset]\nwheel = \"wheel.dat\"\nprofile_origin = \"tape\"\n[pose]\n"
+                        "[wheelset]\nwheel = \"wheel.dat; origin = tape\"\n[pose]\n"
                         "roll = \"en15302\"\nlateral = " +
                         lateral +
                         "\n[load]\nboth = 0\n[study]\nresults = "

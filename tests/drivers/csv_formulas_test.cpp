@@ -55,8 +55,8 @@ TEST_F(CsvFormulasOfAStudy, AreAbsentFromItsTableAndTheConicityTable) {
     list += (list.empty() ? "" : ", ") + ('"' + name + '"');
   }
   list.replace(list.find('\t'), 1, "\\t");
-  write("s.toml", "[wheelset]\nprofile_origin = \"tape\"\nwheel = [" + list +
-                      ", \"=missing\"]\n[pose]\nlateral = [-1, 0, 1]\n[load]\nboth = 0\n"
+  write("s.toml", "[wheelset]\nwheel = {origin = \"tape\", file = [" + list +
+                      ", \"=missing\"]}\n[pose]\nlateral = [-1, 0, 1]\n[load]\nboth = 0\n"
                       "[study]\nresults = [\"rolling_radius_difference\", "
                       "\"left.rigid_contact.angle\", \"right.rigid_contact.angle\"]\n" +
                       (gnuplot_is_there() ? "[[picture]]\nkind = \"conicity\"\nfile = \"c.svg\"\n"

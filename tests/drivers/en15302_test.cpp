@@ -222,9 +222,9 @@ TEST_F(En15302, ReferenceProfilesHaveTheStandardsConicity) {
     // 1435.16 in the standard, whose rail profiles are as far apart as the taping lines, 1500 mm:
     // 1435.16452, 14 mm below the top. Wheel H leaves its cone at 2.5007 mm, so that this counts.
     study << "[track]\nrail = \"rail.dat\"\ninclination = 0.0\ngauge = 1435.16452\n[wheelset]\n"
-          << "profile_origin = \"tape\"\nleft.wheel = \"" << reference.left
-          << ".dat\"\nright.wheel = \"" << reference.right
-          << ".dat\"\nleft.radius = " << std::showpoint << reference.left_radius
+          << "left.wheel = {file = \"" << reference.left
+          << ".dat\", origin = \"tape\"}\nright.wheel = \"" << reference.right
+          << ".dat; origin = tape\"\nleft.radius = " << std::showpoint << reference.left_radius
           << "\nright.radius = 460.0\n[pose]\nroll = \"en15302\"\n"
           << "lateral = {from = -10.0, to = 10.0, step = 0.1}\n[load]\nboth = 0.0\n[study]\n"
           << "results = [\"rolling_radius_difference\", \"left.rigid_contact.angle\", "

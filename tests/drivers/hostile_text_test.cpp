@@ -113,7 +113,7 @@ protected:
 
 /// All fields of all kinds of pictures, and the names of all files.
 std::string study_of(const std::string& text) {
-  const std::string wheel = toml(file_name(text) + ".txt");
+  const std::string wheel = toml(file_name(text) + ".txt; origin = tape");
   const std::string any = toml(text);
   const std::string with_value = toml(text + "{wheelset.right.wheel}{}");
   const std::string labels = ", title = " + with_value + ", x_label = " + any;
@@ -144,7 +144,7 @@ std::string study_of(const std::string& text) {
   }
   return "picture = [" + pictures + "]\n[wheelset]\nleft.wheel = [\"S1002\", " + wheel +
          "]\nright.wheel = " + wheel +
-         "\nprofile_origin = \"tape\"\n[pose]\nyaw = [0.0, 0.01]\n"
+         "\n[pose]\nyaw = [0.0, 0.01]\n"
          "lateral = [-1, 0, 1]\n[solve]\ngrid = [16, 16]\n[study]\nname = " +
          toml(file_name(text)) + "\ntitle = " + with_value + "\nresults = [" + results +
          "\"rolling_radius_difference\"]\nfields = [\"x\", \"y\", \"z\", \"pressure\"]\n";
@@ -187,9 +187,9 @@ TEST_F(HostileText, IsDrawnInPicturesOfProfilesAndCases) {
     EXPECT_EQ(profile.exit_code, 0) << profile.error;
     const Outcome scene =
         run(WRC_CASE_PROGRAM,
-            "--set " + shell("wheelset.wheel=./" + wheel) +
+            "--set " + shell("wheelset.wheel=./" + wheel + "; origin = tape") +
                 " solve.results=stress 'solve.grid=[24,24]' 'creepage.left=[0.001,0,0]' "
-                "wheelset.profile_origin=tape --plot " +
+                "--plot " +
                 shell(text + "c.svg"));
     EXPECT_EQ(scene.exit_code, 0) << scene.error;
     EXPECT_FALSE(has_control_characters(profile.out)) << profile.out;

@@ -96,8 +96,7 @@ TEST_F(WrcProfile, SaysWhatDependsOnTheSmoothing) {
       << sparse;
   run(file + "--strict").expect_refusal({"uncertain by noise", "state the smoothing"});
   EXPECT_EQ(run(file + "--strict --smooth 0").exit_code, 0);
-  const Outcome scene =
-      run(WRC_CASE_PROGRAM, "--set wheelset.wheel=wavy.wheel --set wheelset.profile_origin=tape");
+  const Outcome scene = run(WRC_CASE_PROGRAM, "--set 'wheelset.wheel=wavy.wheel; origin = tape'");
   for (const char* part :
        {"Profiles smoothed, mm", "right area", "Do not use: right: uncertain by noise"}) {
     EXPECT_NE(scene.out.find(part), std::string::npos) << part;

@@ -64,9 +64,8 @@ TEST_F(WrcWear, ReportsAFailureOfAPassage) {
   EXPECT_NE(outcome.error.find("load of a wheel = 1e+09"), std::string::npos) << outcome.error;
 }
 
-TEST_F(WrcWear, TurnsAWheelAsTheSceneSays) {
-  run("--distance 1 --set wheelset.align_to=60E1 --wheel " WRCONTACT_REFERENCE_DIR
-      "/profiles/avg_wheel.txt")
+TEST_F(WrcWear, TurnsAWheelAsItsOptionsSay) {
+  run("--distance 1 --wheel '" WRCONTACT_REFERENCE_DIR "/profiles/avg_wheel.txt; align_to = 60E1'")
       .expect_refusal({"align_to", "60E1 is a rail"});
 }
 

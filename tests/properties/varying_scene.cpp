@@ -183,7 +183,7 @@ DrawnScene VaryingLists::scene(std::uint64_t seed) const {
     const List& list = one_of(rails_);
     scene.set("track.rail", list.path);
     if (list.origin != 0.0) {
-      scene.set("track.rail_origin", list.origin);
+      scene.set("track.rail.origin", list.origin);
     }
     scene.set("pose.longitudinal", draw.between(list.begin - 20.0, list.end + 20.0));
   }

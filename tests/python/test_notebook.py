@@ -57,7 +57,7 @@ def test_keys_have_units():
     for name, unit in {"pose.lateral": "mm", "pose.roll": "rad", "track.inclination": "rad", "load.both": "N",
                        "material.poisson": "1", "motion.torque": "N mm", "motion.pitch": "rad/s",
                        "motion.curvature": "1/mm", "friction.decay": "s/mm", "solve.threads": "1",
-                       "wear.energy_coefficient": "mm2/N", "wheelset.wheel_smoothing": "mm",
+                       "wear.energy_coefficient": "mm2/N",
                        "track.rail": "", "creepage.left": "", "convention.units": ""}.items():
         assert units[name] == unit, name
     for name, key in wrcontact.keys().items():  # a key with a unit takes a number

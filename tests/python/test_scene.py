@@ -1,4 +1,5 @@
 """Scenes and their results: the bits of the C interface."""
+import copy
 import subprocess
 
 import numpy as np
@@ -258,3 +259,24 @@ def test_a_table_has_an_axis_for_each_key():
 def test_the_version_is_that_of_the_project():
     version = (PROJECT / "CMakeLists.txt").read_text().split("project(wrcontact VERSION ")[1]
     assert version.startswith(wrcontact.__version__ + " ")
+
+
+def test_options_of_profiles(tmp_path):
+    file = tmp_path / "my, wheel = 1; b.txt"
+    wrcontact.Profile("S1002").write(file)
+    scene = wrcontact.Scene(wheel={"smoothing": 5, "file": file, "align_to": None}, load_both=0)
+    scene["wheelset.left.wheel.origin"] = "tape"
+    scene["track.rail"] = "; origin = 750"
+    assert scene["wheelset.wheel.smoothing"] == 5.0
+    assert scene["wheelset.left.wheel"] == f"{file}; smoothing = 5; origin = tape"
+    assert scene["track.rail"] == "60E1; origin = 750"
+    assert copy.copy(scene)["wheelset.left.wheel"] == scene["wheelset.left.wheel"]
+    with pytest.raises(wrcontact.InvalidArgument, match=r'wheelset.wheel.smoothing = "500": must be "auto", or 0 to 100 mm'):
+        scene["wheelset.wheel.smoothing"] = 500
+    with pytest.raises(wrcontact.UnknownName, match="unknown option wheelset.wheel.slip"):
+        wrcontact.Scene(wheel={"file": file, "slip": 2})
+    data = wrcontact.study({"wheelset.wheel.smoothing": [0, 3.0]}, ["left.rigid_contact.angle"],
+                           wheel={"file": file, "origin": "tape"}, load_both=0)
+    assert list(data["wheelset.wheel.smoothing"].values) == [0.0, 3.0]
+    assert data["wheelset.wheel.smoothing"].attrs["units"] == "mm"
+    assert data["left.rigid_contact.angle"].shape == (2,)

@@ -101,9 +101,8 @@ def draw_scene(draw: random.Random, lists: dict[pathlib.Path, tuple[float, float
     elif kind == "rail":
         path = draw.choice(files)
         name = path.name
-        scene["track.rail"] = str(path)
+        scene["track.rail"] = {"file": path, "origin": 750.0}
         scene["track.inclination"] = 0.0
-        scene["track.rail_origin"] = 750.0
         scene["pose.longitudinal"] = draw.uniform(*lists[path])
         varying = ("along",)
     else:

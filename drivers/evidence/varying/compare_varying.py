@@ -66,23 +66,25 @@ def scene_of(given: dict[str, Any], profiles: list[pathlib.Path], reference: dic
     scene["pose.yaw"] = given["yaw_rad"]
     scene["pose.longitudinal"] = given["along_mm"]
     scene["pose.pitch"] = given["pitch_rad"]
-    scene["track.rail"] = path(given["rail"])
-    wheel = FLAT_WHEEL if given["wheel"] == "flat_plane.prw" else given["wheel"]
-    scene["wheelset.wheel"] = path(wheel)
+    rail: dict[str, Any] = {"file": path(given["rail"])}
+    wheel: dict[str, Any] = {
+        "file": path(FLAT_WHEEL if given["wheel"] == "flat_plane.prw" else given["wheel"])
+    }
     scene["wheelset.radius"] = given["nominal_radius_mm"]
     if not given["wheel"].endswith(".slcw"):
-        scene["wheelset.wheel_smoothing"] = 0.0
+        wheel["smoothing"] = 0.0
     elif "wheel_smoothing_lambda" in given:
-        scene["wheelset.wheel_smoothing"] = SMOOTHING
+        wheel["smoothing"] = SMOOTHING
     if not given["rail"].endswith(".slcs"):
-        scene["track.rail_smoothing"] = 0.0
+        rail["smoothing"] = 0.0
     if "cant_rad" in given:
         scene["track.inclination"] = given["cant_rad"]
         scene["track.gauge"] = given["gauge_mm"]
         scene["track.gauge_height"] = given["gauge_height_mm"]
     else:
         scene["track.inclination"] = 0.0
-        scene["track.rail_origin"] = 750.0  # where the wheel's taping line is
+        rail["origin"] = 750.0  # where the wheel's taping line is
+    scene["track.rail"], scene["wheelset.wheel"] = rail, wheel
     scene["material.youngs_modulus"] = 2.0 * given["G_MPa"] * (1.0 + given["nu"])
     scene["material.poisson"] = given["nu"]
     scene["friction.coefficient"] = given["friction"]

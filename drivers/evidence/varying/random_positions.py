@@ -37,10 +37,9 @@ def scene_on(path: pathlib.Path, draw: random.Random, stretch: tuple[float, floa
     scene = wrcontact.Scene()
     scene["solve.accuracy_of"] = "forces"
     scene["solve.accuracy"] = 1e-2
-    scene[KEYS[path.suffix]] = str(path)
+    scene[KEYS[path.suffix]] = {"file": path, "origin": 750.0} if is_rail else path
     if is_rail:
         scene["track.inclination"] = 0.0
-        scene["track.rail_origin"] = 750.0
         scene["pose.longitudinal"] = draw.uniform(*stretch)
     else:
         scene["wheelset.radius"] = 450.0

@@ -39,7 +39,7 @@ TEST(AlongCheck, FindsTheSwingsBesideAStep) {
   const std::string text = text_of_all(check, ProfileKind::rail);
   EXPECT_NE(text.find("between slices 2 and 3 the rail is 0.05"), std::string::npos) << text;
   EXPECT_NE(text.find("mm below both (as in 1 other interval): add slices there, or state "
-                      "track.rail_smoothing_along"),
+                      "smoothing_along of the rail"),
             std::string::npos)
       << text;
   EXPECT_NE(text.find("the rail rises by 0.3 mm within 1 mm at 0 mm, steeper than 1:5"),
@@ -84,7 +84,7 @@ TEST(AlongCheck, FindsWhatStandsProudBesideASharpFlat) {
   };
   const AlongCheck coarse = flat(0.3 / 22.0);
   EXPECT_NEAR(coarse.swing.size, 0.023, 0.003);
-  EXPECT_NE(text_of_all(coarse, ProfileKind::wheel).find("wheelset.wheel_smoothing_along"),
+  EXPECT_NE(text_of_all(coarse, ProfileKind::wheel).find("smoothing_along of the wheel"),
             std::string::npos);
   EXPECT_EQ(coarse.rise.size, 0.0);
   EXPECT_EQ(text_of_all(flat(0.002), ProfileKind::wheel), "");

@@ -110,18 +110,12 @@ TEST(KeyWarnings, FrictionAndGrid) {
             Texts{"solve.grid is not used: solve.accuracy is set"});
 }
 
-TEST(KeyWarnings, WhatOnlyFilesAndVaryingBodiesHave) {
+TEST(KeyWarnings, WhatOnlyVaryingBodiesHave) {
   EXPECT_EQ(told(scene_with({{"friction.decay", 0.01}})),
             Texts{"friction.decay is not used: friction.limit_ratio is 1"});
   EXPECT_EQ(told(scene_with({{"friction.limit_ratio", 0.4}})),
             Texts{"friction.limit_ratio is not used: friction.decay is 0"});
   EXPECT_EQ(told(scene_with({{"friction.limit_ratio", 0.4}, {"friction.decay", 0.01}})), Texts{});
-
-  EXPECT_EQ(told(scene_with({{"wheelset.align_to", "S1002"}, {"wheelset.profile_shift", -70.0}})),
-            (Texts{"wheelset.align_to is not used: no wheel is read from a file",
-                   "wheelset.profile_shift is not used: no wheel is read from a file"}));
-  EXPECT_EQ(told(scene_with({{"wheelset.align_to", "S1002"}, {"wheelset.wheel", "worn.prw"}})),
-            Texts{});
 
   EXPECT_EQ(told(scene_with({{"pose.longitudinal", 100.0}, {"pose.pitch", 0.1}})),
             (Texts{"pose.longitudinal is not used: no rail varies along the track",

@@ -40,7 +40,7 @@ TEST(RemovedNames, OfKeysNameTheirSuccessors) {
     EXPECT_EQ(refusal(name.substr(name.find('.') + 1)), expected);
     // The keys that it names exist.
     const std::string successor(removed.successor);
-    for (const std::string table : {"load.", "solve."}) {
+    for (const std::string table : {"load.", "solve.", "track.", "wheelset."}) {
       for (std::size_t at = successor.find(table); at != std::string::npos;
            at = successor.find(table, at + 1)) {
         const std::string key = successor.substr(at, successor.find_first_of(" ,", at) - at);

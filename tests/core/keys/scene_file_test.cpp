@@ -78,7 +78,8 @@ TEST_F(SceneFile, ProfilesFromTheProgramAreSavedBesideIt) {
   const Profile profile = profile_through(points, "worn \"A\"", options).profile;
   Scene scene;
   set_profile(scene, "wheelset.wheel", profile);
-  EXPECT_TRUE(contains(written(scene), "wheel = \"scene.wheel.txt\"\n"));
+  EXPECT_TRUE(contains(written(scene), "wheel = \"scene.wheel.txt; smoothing = 0; rotation = 0; "
+                                       "origin = tape\"\n"));
   const ReadResult read = read_profile(folder_ / "scene.wheel.txt", options);
   EXPECT_EQ(read.profile.points, profile.points);
 }
@@ -102,7 +103,7 @@ TEST_F(SceneFile, AGivenWheelKeepsItsTilt) {
   scene.left.wheel.given =
       std::make_shared<const Profile>(profile_through(points, "tilted", options).profile);
   const std::string text = written(scene);
-  EXPECT_TRUE(contains(text, "profile_rotation = 0.0\n")) << text;
+  EXPECT_TRUE(contains(text, "; smoothing = 0; rotation = 0; origin = tape\"\n")) << text;
 }
 
 /// Whatever places profiles from files in the scene.
@@ -113,10 +114,9 @@ TEST_F(SceneFile, AGivenWheelStaysWhereItIs) {
                                      {0.0, 0.0},    {30.0, -1.0},  {60.0, -2.0}};
   Scene scene;
   set_profile(scene, "wheelset.wheel", profile_through(points, "worn", options).profile);
-  scene.wheel_placement.lateral_shift = 2.0;
+  scene.left.wheel.options.placement.lateral_shift = 2.0;
   const std::string text = written(scene);
-  EXPECT_TRUE(contains(text, "profile_shift = 0.0\n")) << text;
-  EXPECT_TRUE(contains(text, "profile_origin = \"tape\"\n"));
+  EXPECT_TRUE(contains(text, "; smoothing = 0; rotation = 0; origin = tape\"\n")) << text;
 }
 
 TEST_F(SceneFile, KeepsWavesOfTheRadius) {

@@ -62,7 +62,7 @@ TEST_F(ProfileOrigin, AWheelMeasuredFromItsFlangeBackIsShiftedToItsTapingLine) {
   const SceneResult expected = solve_scene(standard);
   for (const char* origin : {"auto", "flange-back"}) {
     Scene scene = scene_with(70.0, 5.0);
-    set_text(scene, "wheelset.profile_origin", origin);
+    set_text(scene, "wheelset.wheel", std::string("; origin = ") + origin);
     const SceneResult result = solve_scene(scene);
     EXPECT_NEAR(result.vertical, expected.vertical, spline_error) << origin;
     EXPECT_NEAR(result.left->rigid_contact.s_wheel, expected.left->rigid_contact.s_wheel, 0.05);
@@ -70,7 +70,7 @@ TEST_F(ProfileOrigin, AWheelMeasuredFromItsFlangeBackIsShiftedToItsTapingLine) {
     EXPECT_TRUE(result.left->warnings.empty());
   }
   Scene shifted = scene_with(31.0, 5.0);
-  set_number(shifted, "wheelset.profile_shift", -31.0);
+  set_text(shifted, "wheelset.wheel", "; shift = -31");
   const SceneResult result = solve_scene(shifted);
   EXPECT_NEAR(result.vertical, expected.vertical, spline_error);
   EXPECT_TRUE(tells(result.corrections, "lateral shifted by -31 mm as requested"));
@@ -84,7 +84,7 @@ TEST_F(ProfileOrigin, TheDistanceIsThatOfTheWheelset) {
 
 TEST_F(ProfileOrigin, AWrongOriginIsReportedByTheProfileAndTheFirstTouch) {
   Scene tip = scene_with(50.0, 0.0);
-  set_text(tip, "wheelset.profile_origin", "tape");
+  set_text(tip, "wheelset.wheel", "; origin = tape");
   const SceneResult on_tip = solve_scene(tip);
   EXPECT_TRUE(tells(all_warnings(on_tip),
                     ".wheel: the flange back is at lateral -20.00 mm, expected -70.00"));
@@ -97,8 +97,8 @@ TEST_F(ProfileOrigin, AWrongOriginIsReportedByTheProfileAndTheFirstTouch) {
   EXPECT_TRUE(tells(solve_scene(chamfer).left->warnings, "first touch is on the wheel's chamfer"));
 }
 
-/// A tilt of one degree, 70 % in pmax: a warning, unless keys of the scene state what to do.
-TEST_F(ProfileOrigin, AWheelIsTurnedOrAlignedByKeys) {
+/// A tilt of one degree, 70 % in pmax: a warning, unless options of the wheel state what to do.
+TEST_F(ProfileOrigin, AWheelIsTurnedOrAlignedByItsOptions) {
   Scene scene = scene_with(0.0, 0.0);
   Profile tilted = standard_profile("S1002");
   tilted.curve = tilted.curve.moved(0.017453, 0.0, 0.0);
@@ -109,17 +109,14 @@ TEST_F(ProfileOrigin, AWheelIsTurnedOrAlignedByKeys) {
   const SceneResult plain = solve_scene(scene);
   EXPECT_TRUE(tells(all_warnings(plain), "turned by -1.00 degrees"));
   EXPECT_GT(plain.left->pmax, 1300.0);
-  set_number(scene, "wheelset.profile_rotation", -0.017453);
+  set_text(scene, "wheelset.wheel", "; rotation = -0.017453");
   const SceneResult turned = solve_scene(scene);
   EXPECT_FALSE(tells(all_warnings(turned), "turned by"));
   EXPECT_NEAR(turned.left->pmax, 898.0, 30.0);
-  set_text(scene, "wheelset.profile_rotation", "auto");
-  set_text(scene, "wheelset.align_to", "S1002");
+  set_text(scene, "wheelset.wheel", "; rotation = auto; align_to = S1002");
   const SceneResult aligned = solve_scene(scene);
   EXPECT_TRUE(tells(aligned.corrections, "aligned to S1002: turned by -1.0"));
   EXPECT_NEAR(aligned.left->pmax, turned.left->pmax, 10.0);
-  set_text(scene, "wheelset.align_to", "none");
-  EXPECT_TRUE(scene.wheel_placement.align_to.empty());
 }
 
 } // namespace

@@ -180,7 +180,7 @@ TEST(SolveSceneErrors, UnknownProfileListsTheKnownOnes) {
 
 TEST(SolveSceneErrors, BuiltInProfilesAreNotSmoothed) {
   Scene scene;
-  scene.left.rail.smoothing = scene.right.rail.smoothing = 3.0;
+  scene.left.rail.options.smoothing = scene.right.rail.options.smoothing = 3.0;
   EXPECT_THROW(solve_scene(scene), Error);
 }
 

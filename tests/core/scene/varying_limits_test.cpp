@@ -161,8 +161,8 @@ TEST_F(VaryingScene, RefusesWhatSlicesAndWavesCannotHave) {
   expect_error(ErrorCode::invalid_argument, solve, "they must be of a wheel");
   scene = Scene();
   scene.left.wheel.name = scene.right.wheel.name = wheel_with_flat();
-  scene.wheel_placement.lateral_shift = 1.0;
-  expect_error(ErrorCode::invalid_argument, solve, "profile_shift");
+  scene.left.wheel.options.placement.lateral_shift = 1.0;
+  expect_error(ErrorCode::invalid_argument, solve, "; shift = 1\": must have no origin, shift");
   scene = Scene();
   scene.left.wheel.harmonics = {{700, 0.02, 0.0}};
   expect_error(ErrorCode::invalid_argument, solve, "wheelset.harmonics: order 700",

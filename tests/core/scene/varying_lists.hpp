@@ -97,7 +97,7 @@ inline Scene scene_on(const std::string& rail, const std::string& wheel = "S1002
   scene.left.rail.name = scene.right.rail.name = rail;
   scene.left.wheel.name = scene.right.wheel.name = wheel;
   for (SceneSide* side : {&scene.left, &scene.right})
-    side->rail.smoothing = side->wheel.smoothing = 0.0;
+    side->rail.options.smoothing = side->wheel.options.smoothing = 0.0;
   scene.lateral = 1.5;
   scene.yaw = 0.003;
   scene.along = 7.0;

@@ -115,7 +115,7 @@ TEST_F(VaryingScene, AFlatThatIsNotTouchedChangesNoForce) {
     ASSERT_TRUE(round.details.pair().is_prismatic_along(along_track));
     ASSERT_FALSE(beside.details.pair().is_prismatic_along(along_track));
     EXPECT_NEAR(beside.depth, round.depth, 1e-7 * round.depth);
-    EXPECT_LT(norm(beside.force - round.force), 1e-9 * norm(round.force));
+    EXPECT_LT(norm(beside.force - round.force), 5e-9 * norm(round.force)); // of iterations
     EXPECT_LT(norm(beside.total->force - round.total->force), 1e-6 * norm(round.force));
   }
 }
@@ -246,7 +246,7 @@ TEST_F(VaryingScene, ARisingRailIsALevelOneOnATurnedTrack) {
       scene.side = SideChoice::left;
       scene.track.inclination = 0.0;
       scene.roll = 0.0;
-      scene.track.origin = 753.0;
+      scene.left.rail.options.rail_origin = scene.right.rail.options.rail_origin = 753.0;
       scene.lateral = 6.0;
       scene.yaw = scene.along = scene.pitch = 0.0;
       scene.accuracy = 1e-3;
@@ -290,7 +290,7 @@ TEST_F(VaryingScene, ModelsOnARisingRailAreThoseOfALevelOne) {
         Scene scene = each.of(scene_on(rail));
         scene.side = SideChoice::left;
         scene.track.inclination = 0.0;
-        scene.track.origin = 753.0;
+        scene.left.rail.options.rail_origin = scene.right.rail.options.rail_origin = 753.0;
         scene.roll = 0.0;
         scene.lateral = lateral;
         scene.yaw = scene.along = scene.pitch = 0.0;
