@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/grid.hpp"
+#include "base/lower_case.hpp"
 #include "handles.hpp"
 
 namespace wrc {
@@ -67,8 +68,9 @@ template <class Table> std::string names_in(const Table& table) {
 template <class Table>
 const auto& entry_in(const Table& table, const char* what, const char* contact,
                      const std::string& name) {
+  const std::string spelled = lower_case(name); // as all keys are
   for (const auto& entry : table) {
-    if (name == entry.name) {
+    if (spelled == entry.name) {
       return entry;
     }
   }

@@ -123,6 +123,8 @@ class Solver(Handle):
     def set(self, **options: str) -> Solver:
         """Sets options by name, from the next solution on, and returns the solver."""
         for key, value in options.items():
+            if not isinstance(value, str):
+                raise InvalidArgument(f"{key} = {value!r}: a text; see help(wrcontact.Solver)")
             self._check(lib.wrc_solver_set_text(self._handle, encoded(key), encoded(value)))
         return self
 

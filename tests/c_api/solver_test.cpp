@@ -51,7 +51,7 @@ TEST(SolverHandle, HasOptionsThatChangeNoResultByMoreThanItsTolerance) {
     return number_of(scene.get(), "left.pmax");
   };
   const double mixed = pmax();
-  ASSERT_EQ(wrc_solver_set_text(s, "precision", "double"), WRC_OK);
+  ASSERT_EQ(wrc_solver_set_text(s, "Precision", "double"), WRC_OK);
   const double in_double = pmax();
   EXPECT_NE(in_double, mixed);
   EXPECT_NEAR(in_double, mixed, 1e-4 * mixed);

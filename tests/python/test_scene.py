@@ -188,6 +188,8 @@ def test_options_of_a_solver_change_results_within_their_tolerance():
         solver.set(precision="single")
     with pytest.raises(wrcontact.UnknownName, match="there are planner, precision"):
         wrcontact.Solver(threads="2")
+    with pytest.raises(wrcontact.InvalidArgument, match="planner = 3: a text"):
+        wrcontact.Solver(planner=3)
 
 
 def test_a_step_gives_forces_and_derivatives_of_both_wheels():
