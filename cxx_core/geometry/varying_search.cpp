@@ -122,9 +122,9 @@ void VaryingSearch::place_rows() {
     }
     if (!rows_.empty()) {
       const double last = rows_.back();
-      const double parts = std::ceil((y - last) / row_spacing - same_chain);
-      for (double part = 1.0; part < parts; ++part) {
-        rows_.push_back(std::lerp(last, y, part / parts));
+      const auto parts = static_cast<int>(std::ceil((y - last) / row_spacing - same_chain));
+      for (int part = 1; part < parts; ++part) {
+        rows_.push_back(std::lerp(last, y, static_cast<double>(part) / parts));
       }
     }
     rows_.push_back(y);

@@ -6,6 +6,7 @@
 /// Prints each result on a line of its own, in mm, N, MPa, rad, in 17 digits; "nan" for none.
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <variant>
 
 #include "arguments.hpp"
@@ -45,6 +46,10 @@ wrc::Scene scene_of(const std::string& path) {
 int solve(const wrc::evidence::Arguments& arguments) {
   if (arguments.count() < 2) {
     throw wrc::evidence::WrongArgument("must be a scene file and names of results");
+  }
+  if (!std::filesystem::is_regular_file(arguments.text(0))) {
+    throw wrc::evidence::WrongArgument("SCENE.toml = \"" + arguments.text(0) +
+                                       "\": must be a file");
   }
   wrc::SceneResult result = wrc::solve_scene(scene_of(arguments.text(0)));
   for (std::size_t i = 1; i < arguments.count(); ++i) {

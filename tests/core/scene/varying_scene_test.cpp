@@ -102,11 +102,11 @@ TEST_F(VaryingScene, AFlatThatIsNotTouchedChangesNoForce) {
                                  [](double theta) { return -rounded_depth(theta, 0.6, 0.06); });
   const std::array<std::array<double, 2>, 5> poses{
       {{-2.0, 3e-3}, {0.0, 3e-3}, {1.5, 3e-3}, {3.0, 3e-3}, {6.0, -5e-3}}};
-  for (const auto& [lateral, yaw] : poses) {
+  for (const auto& pose : poses) {
     const auto solved = [&](double pitch) {
       Scene scene = scene_on("60E1", wheel);
-      scene.lateral = lateral;
-      scene.yaw = yaw;
+      scene.lateral = pose[0];
+      scene.yaw = pose[1];
       scene.pitch = pitch;
       return *solve_scene(scene).left;
     };
