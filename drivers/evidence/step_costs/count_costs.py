@@ -58,7 +58,7 @@ def main() -> None:
     waves = ["--set", "wheelset.harmonics=[1,0.3,0,12,0.02,0.5]"]
     crossing = ["--set", f"track.left.rail={CROSSING}"]
     with tempfile.TemporaryDirectory() as name:
-        flat = ["--set", f"wheelset.wheel={wheel_with_flat(pathlib.Path(name))}", "wheelset.wheel_smoothing_along=0"]
+        flat = ["--set", f"wheelset.wheel={wheel_with_flat(pathlib.Path(name))}; smoothing_along = 0"]
         cases: list[tuple[str, list[str]]] = [
             ("plain: position given, no creep forces", []),
             ("derivatives", ["--derivatives"]),
