@@ -63,6 +63,9 @@ void warn_of_accuracy(const WheelRequest& request, WheelSolution& result) {
       text += " (model " + short_text_of(of_model) + ')';
     }
   }
+  if (request.elements == Elements::constant && !elements_suffice) {
+    text += "; solve.method = \"paper\" has elements of constant pressure, which are less accurate";
+  }
   result.warnings.push_back({WarningClass::accuracy, text, excess_of(request, result)});
 }
 
