@@ -97,11 +97,15 @@ TEST_F(VaryingScene, SlicesThatAreEqualNearbyGiveTheProfileToTheAccuracy) {
 }
 
 /// The flat begins within reach of the search, far from the contact: both searches find the same.
+/// What is left is that of iterations, on flanges most.
 TEST_F(VaryingScene, AFlatThatIsNotTouchedChangesNoForce) {
   const std::string wheel = list("beside.slcw", "S1002", places_every(-0.2, 0.2, 0.005),
                                  [](double theta) { return -rounded_depth(theta, 0.6, 0.06); });
-  const std::array<std::array<double, 2>, 5> poses{
-      {{-2.0, 3e-3}, {0.0, 3e-3}, {1.5, 3e-3}, {3.0, 3e-3}, {6.0, -5e-3}}};
+  const std::array<std::array<double, 3>, 5> poses{{{-2.0, 3e-3, 5e-9},
+                                                    {0.0, 3e-3, 5e-9},
+                                                    {1.5, 3e-3, 5e-9},
+                                                    {3.0, 3e-3, 5e-9},
+                                                    {6.0, -5e-3, 5e-8}}};
   for (const auto& pose : poses) {
     const auto solved = [&](double pitch) {
       Scene scene = scene_on("60E1", wheel);
@@ -115,7 +119,7 @@ TEST_F(VaryingScene, AFlatThatIsNotTouchedChangesNoForce) {
     ASSERT_TRUE(round.details.pair().is_prismatic_along(along_track));
     ASSERT_FALSE(beside.details.pair().is_prismatic_along(along_track));
     EXPECT_NEAR(beside.depth, round.depth, 1e-7 * round.depth);
-    EXPECT_LT(norm(beside.force - round.force), 5e-9 * norm(round.force)); // of iterations
+    EXPECT_LT(norm(beside.force - round.force), pose[2] * norm(round.force));
     EXPECT_LT(norm(beside.total->force - round.total->force), 1e-6 * norm(round.force));
   }
 }
