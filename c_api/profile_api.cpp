@@ -76,7 +76,9 @@ wrc::ReadOptions options_from(const wrc_read_options* given) {
   if (known.align_to != nullptr && given->struct_size >= with_align_to) { // not half a pointer
     options.align_to = known.align_to;
   }
-  options.lateral_shift = known.lateral_shift;
+  if (std::abs(known.lateral_shift) > wrc::negligible_length) { // a sum may leave rounding for 0
+    options.lateral_shift = known.lateral_shift;
+  }
   return options;
 }
 

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "wrc_mex.h"
 
@@ -58,16 +59,31 @@ static void set_key(wrc_scene* scene, const char* key, const mxArray* value) {
   }
 }
 
-/* Fields of a struct, of which values may be structs: scene.pose.lateral. Empty ones are left out.
+/* Whether a field is an option of the profile that the struct names. */
+static int is_option(const char* name) {
+  static const char* const options[] = {"smoothing", "smoothing_along", "origin",
+                                        "shift",     "rotation",        "align_to"};
+  for (size_t k = 0; k < sizeof options / sizeof *options; ++k) {
+    if (strcasecmp(name, options[k]) == 0) {
+      return 1;
+    }
+  }
+  return 0;
+}
+
+/* Fields of a struct, of which values may be structs: scene.pose.lateral. Empty ones are left out;
+ * options of profiles come after the profiles.
  */
 static void set_struct(wrc_scene* scene, const char* prefix, const mxArray* value, mwIndex index) {
-  for (int k = 0; k < mxGetNumberOfFields(value); ++k) {
-    const mxArray* field = mxGetFieldByNumber(value, index, k);
-    if (field != NULL && !mxIsEmpty(field)) {
-      char key[name_size];
-      snprintf(key, sizeof key, "%s%s%s", prefix, prefix[0] != '\0' ? "." : "",
-               mxGetFieldNameByNumber(value, k));
-      set_key(scene, key, field);
+  for (int options = 0; options < 2; ++options) {
+    for (int k = 0; k < mxGetNumberOfFields(value); ++k) {
+      const mxArray* field = mxGetFieldByNumber(value, index, k);
+      const char* name = mxGetFieldNameByNumber(value, k);
+      if (field != NULL && !mxIsEmpty(field) && is_option(name) == options) {
+        char key[name_size];
+        snprintf(key, sizeof key, "%s%s%s", prefix, prefix[0] != '\0' ? "." : "", name);
+        set_key(scene, key, field);
+      }
     }
   }
 }

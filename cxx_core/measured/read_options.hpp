@@ -24,10 +24,6 @@ struct ProfilePlacement {
   /// Of a wheel; `tape` leaves lateral and heights as they are.
   WheelOrigin origin = WheelOrigin::by_file;
   std::optional<double> lateral_shift; ///< of a wheel, mm, to the taping line, instead of `origin`
-  /// A sum of numbers may leave a shift of rounding, which is none.
-  [[nodiscard]] bool is_shifted() const {
-    return std::abs(lateral_shift.value_or(0.0)) > negligible_length;
-  }
   /// rad, anticlockwise in (lateral, height) about the taping line or the rail's origin; if set,
   /// replaces the search for a tilt (tilt.hpp).
   std::optional<double> rotation;

@@ -250,7 +250,7 @@ bool counts_from_flange_back(const RawProfile& raw) {
 /// What is to be added to a wheel's lateral, so that its taping line is at 0; none if it is there.
 std::optional<double> shift_to_taping_line(const RawProfile& raw, double tape_offset,
                                            const ReadOptions& options, Log& log) {
-  if (options.is_shifted()) {
+  if (options.lateral_shift) {
     log.note("lateral shifted by " + text_of(*options.lateral_shift) + " mm as requested");
     return *options.lateral_shift;
   }

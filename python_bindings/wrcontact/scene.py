@@ -86,6 +86,14 @@ def refuse_doubled(words: Iterable[str]) -> None:
         found[key] = word
 
 
+_OPTIONS = {"smoothing", "smoothing_along", "origin", "shift", "rotation", "align_to"}
+
+
+def _rank(key: str) -> int:
+    """Conventions hold for the keys behind them, and a profile comes before its options."""
+    return 0 if key.startswith("convention.") else 2 if key.rpartition(".")[2].lower() in _OPTIONS else 1
+
+
 class Scene(Handle):
     """Both wheels of a wheelset on their rails: inputs by key, solved by `solve`.
 
@@ -121,14 +129,14 @@ class Scene(Handle):
         return list(keys())
 
     def set(self, **values: Any) -> Scene:
-        """Sets keys in the order given, those of `convention` first; returns the scene.
+        """Sets keys in the order given, those of `convention` first, options of profiles last; returns the scene.
 
         If one is refused, those before it stay set; a key named twice is refused before any is set.
         UnknownName, InvalidArgument.
         """
         named = [(key_of(word), value) for word, value in values.items()]
         refuse_doubled(values)
-        for key, value in sorted(named, key=lambda pair: not pair[0].startswith("convention.")):
+        for key, value in sorted(named, key=lambda pair: _rank(pair[0])):
             self[key] = value
         return self
 
@@ -136,7 +144,7 @@ class Scene(Handle):
         key = key_of(key)
         code, given = encoded(key), value
         if isinstance(value, Mapping):
-            for name in sorted(value, key="file".__ne__):  # its options are behind it
+            for name in sorted(value, key=lambda name: str(name).lower() != "file"):  # its options are behind it
                 self[f"{key}.{name}"] = value[name]
             return
         if value is None or isinstance(value, (bool, np.bool_)):

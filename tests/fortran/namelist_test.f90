@@ -34,7 +34,7 @@ contains
     call write_file([character(80) :: &
       'A line outside of groups is a comment, it''s said.', &
       ' &TRACK gauge = 1432.5d0  ! a comment / with a slash', &
-      '   Inclination = ''1:20'', rail = "54E3", rail%origin = 750.0, gauge_height =', &
+      '   Inclination = ''1:20'', rail%origin = 750.0, rail = "54E3", gauge_height =', &
       ' /', &
       ' &pose lateral=-2.5, yaw = 1e-3 roll = 2.5E-4, vertical=''solve'' /', &
       ' &material wheel%poisson = 0.28, rail%youngs_modulus = 2.0E5', &
@@ -45,7 +45,7 @@ contains
     call expect(near(scene%get_number('track.gauge'), 1432.5_real64, rounding), 'd exponent')
     call expect(near(scene%get_number('track.inclination'), 0.05_real64, 1.0e-3_real64), 'an inclination of 1:20')
     call expect(scene%get_text('track.rail.file') == '54E3', 'a text in double quotes')
-    call expect(scene%get_text('track.rail') == '54E3; origin = 750', 'an option of a profile')
+    call expect(scene%get_text('track.rail') == '54E3; origin = 750', 'an option of a profile, before it')
     call expect(near(scene%get_number('track.gauge_height'), 14.0_real64, rounding), 'no value, no change')
     call expect(near(scene%get_number('pose.lateral'), -2.5_real64, rounding), 'a negative number')
     call expect(near(scene%get_number('pose.yaw'), 1.0e-3_real64, rounding), 'an exponent')

@@ -41,6 +41,12 @@
 %! same = wrc_solve ('pose.lateral', 3, 'track.rail', '54E1', 'solve.side', 'left');
 %! assert (same.left.pmax, first.left.pmax);
 %! assert (! isfield (first, 'right'));
+%! # options of a profile count wherever they stand in a struct
+%! before.track.rail = struct ('origin', 750, 'file', '54E1');
+%! after.track.rail = struct ('file', '54E1', 'origin', 750);
+%! moved = wrc_solve (before, 'pose.lateral', 3, 'solve.side', 'left');
+%! assert (moved.left.pmax, wrc_solve (after, 'pose.lateral', 3, 'solve.side', 'left').left.pmax);
+%! assert (moved.left.pmax != first.left.pmax);
 %! # two lobes that share a plane
 %! lobes = wrc_solve ('track.rail', 'UIC60-Manchester', 'solve.side', 'right', 'pose.lateral', -5, ...
 %!                    'pose.roll', 0, 'load.both', 1e4);

@@ -267,6 +267,9 @@ def test_options_of_profiles(tmp_path):
     file = tmp_path / "my, wheel = 1; b.txt"
     wrcontact.Profile("S1002").write(file)
     scene = wrcontact.Scene(wheel={"smoothing": 5, "file": file, "align_to": None}, load_both=0)
+    before = wrcontact.Scene(**{"wheelset.wheel.smoothing": 5}, wheel={"align_to": "none", "File": file})
+    assert before["wheelset.wheel.smoothing"] == 5.0, "options count wherever they stand"
+    assert wrcontact.Scene(wheel={"smoothing": 5, "File": file})["wheelset.wheel.smoothing"] == 5.0
     scene["wheelset.left.wheel.origin"] = "tape"
     scene["track.rail"] = "; origin = 750"
     assert scene["wheelset.wheel.smoothing"] == 5.0
