@@ -126,7 +126,7 @@ std::vector<ProblemRate> problem_rates(const PatchTask& task, const Grid& grid,
         inclinations_of(rows, task.request.slip, task.motion.frame);
     ahead.fields.slip =
         sum(std::move(ahead.fields.slip),
-            slip_by_pressures(then, now.angles.empty() ? inclinations : now.angles, plans),
+            smooth_slip_by_pressures(then, now.angles.empty() ? inclinations : now.angles, plans),
             task.motion);
     result.push_back(rate_between(now, ahead.grid, ahead.fields, step));
   }
@@ -250,7 +250,7 @@ CreepProblem::CreepProblem(const PatchTask& task, LinePlans& plans, CreepResult&
   problem_.rolling_share = motion.rolling_share;
   angles_ = motion.frame.turned_components(row_angles(patch.frame, grid_));
   problem_.angles = angles_;
-  by_pressures_ = slip_by_pressures(
+  by_pressures_ = smooth_slip_by_pressures(
       problem_, angles_.empty() ? inclinations_of(rows_, request.slip, motion.frame) : angles_,
       plans_);
   fields_.slip = sum(std::move(fields_.slip), by_pressures_, motion);

@@ -80,52 +80,50 @@ bool is_plane(std::span<const double> angles) {
   return std::ranges::all_of(angles, [&](double angle) { return angle == angles.front(); });
 }
 
-/// Lines of complex numbers in double precision, transformed in whole blocks.
-class SpectrumLines {
+/// Lines of complex numbers, transformed in whole blocks.
+template <typename Real> class SpectrumLines {
 public:
-  SpectrumLines(const LineFft<double>& fft, std::size_t length, std::size_t count)
-      : fft_(fft), pitch_(aligned_pitch<std::complex<double>>(length)),
+  SpectrumLines(const LineFft<Real>& fft, std::size_t length, std::size_t count)
+      : fft_(fft), pitch_(aligned_pitch<std::complex<Real>>(length)),
         count_(up_to_multiple(count, fft.best_count())), from_(count_ * pitch_),
         to_(count_ * pitch_) {
-    std::fill_n(from_.data(), count_ * pitch_, std::complex<double>{});
+    std::fill_n(from_.data(), count_ * pitch_, std::complex<Real>{});
   }
-  std::complex<double>* line(std::size_t index) { return from_.data() + index * pitch_; }
-  const std::complex<double>* transformed(std::size_t index) { return to_.data() + index * pitch_; }
+  std::complex<Real>* line(std::size_t index) { return from_.data() + index * pitch_; }
+  const std::complex<Real>* transformed(std::size_t index) { return to_.data() + index * pitch_; }
   void transform() { fft_.forward(from_.data(), to_.data(), count_); }
 
 private:
-  const LineFft<double>& fft_;
+  const LineFft<Real>& fft_;
   std::size_t pitch_;
   std::size_t count_;
-  AlignedArray<std::complex<double>> from_;
-  AlignedArray<std::complex<double>> to_;
+  AlignedArray<std::complex<Real>> from_;
+  AlignedArray<std::complex<Real>> to_;
 };
 
 /// al, be and be mirrored from the transforms of xx + i yy and of xy. The first holds xx and yy as
 /// its Hermitian and its anti-Hermitian part; the second is -i times that of a real line.
 template <typename Real>
-void store_column(const std::complex<double>* even, const std::complex<double>* odd,
-                  std::size_t length, std::complex<Real>* al, std::size_t pitch) {
+void store_column(const std::complex<Real>* even, const std::complex<Real>* odd, std::size_t length,
+                  std::complex<Real>* al, std::size_t pitch) {
   std::complex<Real>* be = al + pitch;
   std::complex<Real>* be_mirrored = be + pitch;
   for (std::size_t i = 0; i < length; ++i) {
-    const std::complex<double> one = even[i];
-    const std::complex<double> other = even[i == 0 ? 0 : length - i];
-    const double xx_re = 0.5 * (one.real() + other.real());
-    const double xx_im = 0.5 * (one.imag() - other.imag());
-    const double yy_re = 0.5 * (one.imag() + other.imag());
-    const double yy_im = 0.5 * (other.real() - one.real());
-    const double sum_re = 0.5 * (xx_re + yy_re);
-    const double sum_im = 0.5 * (xx_im + yy_im);
-    const double difference_re = 0.5 * (xx_re - yy_re);
-    const double difference_im = 0.5 * (xx_im - yy_im);
-    const double mixed_re = -odd[i].imag(); // i times odd
-    const double mixed_im = odd[i].real();
-    al[i] = {static_cast<Real>(sum_re), static_cast<Real>(sum_im)};
-    be[i] = {static_cast<Real>(difference_re + mixed_re),
-             static_cast<Real>(difference_im + mixed_im)};
-    be_mirrored[i] = {static_cast<Real>(difference_re - mixed_re),
-                      static_cast<Real>(difference_im - mixed_im)};
+    const std::complex<Real> one = even[i];
+    const std::complex<Real> other = even[i == 0 ? 0 : length - i];
+    const Real xx_re = Real(0.5) * (one.real() + other.real());
+    const Real xx_im = Real(0.5) * (one.imag() - other.imag());
+    const Real yy_re = Real(0.5) * (one.imag() + other.imag());
+    const Real yy_im = Real(0.5) * (other.real() - one.real());
+    const Real sum_re = Real(0.5) * (xx_re + yy_re);
+    const Real sum_im = Real(0.5) * (xx_im + yy_im);
+    const Real difference_re = Real(0.5) * (xx_re - yy_re);
+    const Real difference_im = Real(0.5) * (xx_im - yy_im);
+    const Real mixed_re = -odd[i].imag(); // i times odd
+    const Real mixed_im = odd[i].real();
+    al[i] = {sum_re, sum_im};
+    be[i] = {difference_re + mixed_re, difference_im + mixed_im};
+    be_mirrored[i] = {difference_re - mixed_re, difference_im - mixed_im};
   }
 }
 
@@ -138,46 +136,21 @@ public:
   WeightedCoefficients(const TractionShape& shape, double poisson, const DifferenceWeights& weights,
                        const TractionTable& table, TractionPart part)
       : WeightedCoefficients(shape) {
-    // From one offset downstream of the first to two upstream of the last.
-    const std::size_t reach = length_ + weights.size() - 1;
-    const std::size_t middle = last_ + 1;
-    std::vector<double> line(3 * reach);
-    double* along = line.data();
-    double* across = along + reach;
-    double* mixed = across + reach;
+    const Mixture mixture = mixture_of(part, poisson);
+    std::vector<double> weighted(2 * length_);
+    double* along = weighted.data();
+    double* across = along + length_;
     for (std::size_t aside = 0; aside < shape.columns; ++aside) {
-      mirror(table.longitudinal(aside), 1.0, middle, reach, along);
-      mirror(table.lateral(aside), 1.0, middle, reach, across);
-      mirror(table.mixed(aside), -1.0, middle, reach, mixed);
+      weigh(table.longitudinal(aside), 1.0, weights, along);
+      weigh(table.lateral(aside), 1.0, weights, across);
+      weigh(table.mixed(aside), -1.0, weights, component(2, aside));
       double* xx = component(0, aside);
       double* yy = component(1, aside);
       double* xy = component(2, aside);
-      for (std::size_t m = 0; m < weights.size(); ++m) {
-        const double c = weights[m];
-        for (std::size_t i = 0; c != 0.0 && i < length_; ++i) {
-          const double x = along[i + m];
-          const double y = across[i + m];
-          const double turned = (1.0 - poisson) * x + (1.0 - 0.5 * poisson) * y;
-          switch (part) {
-          case TractionPart::plane:
-            xx[i] += c * (x + (1.0 - poisson) * y);
-            yy[i] += c * (y + (1.0 - poisson) * x);
-            xy[i] += c * poisson * mixed[i + m];
-            break;
-          case TractionPart::fixed:
-            xx[i] += c * (x + (1.0 - poisson) * y);
-            yy[i] += c * 0.5 * poisson * y;
-            xy[i] += c * poisson * mixed[i + m];
-            break;
-          case TractionPart::turned:
-            xx[i] += c * turned;
-            yy[i] += c * turned;
-            break;
-          case TractionPart::mixed:
-            xy[i] += c * poisson * mixed[i + m];
-            break;
-          }
-        }
+      for (std::size_t i = 0; i < length_; ++i) {
+        xx[i] = mixture.xx_along * along[i] + mixture.xx_across * across[i];
+        yy[i] = mixture.yy_along * along[i] + mixture.yy_across * across[i];
+        xy[i] *= mixture.mixed;
       }
     }
   }
@@ -186,17 +159,9 @@ public:
   WeightedCoefficients(const TractionShape& shape, const DifferenceWeights& weights,
                        const CrossTable& table)
       : WeightedCoefficients(shape) {
-    const std::size_t reach = length_ + weights.size() - 1;
-    std::vector<double> line(2 * reach);
     for (std::size_t aside = 0; aside < shape.columns; ++aside) {
-      mirror(table.longitudinal(aside), -1.0, last_ + 1, reach, line.data());
-      mirror(table.lateral(aside), 1.0, last_ + 1, reach, line.data() + reach);
-      for (std::size_t m = 0; m < weights.size(); ++m) {
-        for (std::size_t i = 0; i < length_; ++i) {
-          component(0, aside)[i] += weights[m] * line[i + m];
-          component(2, aside)[i] += weights[m] * line[reach + i + m];
-        }
-      }
+      weigh(table.longitudinal(aside), -1.0, weights, component(0, aside));
+      weigh(table.lateral(aside), 1.0, weights, component(2, aside));
     }
   }
 
@@ -206,12 +171,40 @@ public:
   }
 
 private:
+  /// What the components consist of.
+  struct Mixture {
+    double xx_along;
+    double xx_across;
+    double yy_along;
+    double yy_across;
+    double mixed;
+  };
+  static Mixture mixture_of(TractionPart part, double poisson) {
+    switch (part) {
+    case TractionPart::fixed:
+      return {1.0, 1.0 - poisson, 0.0, 0.5 * poisson, poisson};
+    case TractionPart::turned:
+      return {1.0 - poisson, 1.0 - 0.5 * poisson, 1.0 - poisson, 1.0 - 0.5 * poisson, 0.0};
+    case TractionPart::mixed:
+      return {0.0, 0.0, 0.0, 0.0, poisson};
+    default:
+      return {1.0, 1.0 - poisson, 1.0 - poisson, 1.0, poisson};
+    }
+  }
+
   explicit WeightedCoefficients(const TractionShape& shape)
-      : last_(shape.rows - 1), length_(2 * shape.rows - 1), values_(3 * shape.columns * length_) {}
-  static void mirror(const double* half, double sign, std::size_t middle, std::size_t length,
-                     double* whole) {
-    for (std::size_t i = 0; i < length; ++i) {
-      whole[i] = i >= middle ? half[i - middle] : sign * half[middle - i];
+      : last_(shape.rows - 1), length_(2 * shape.rows - 1), line_(length_ + difference_reach + 1),
+        values_(3 * shape.columns * length_) {}
+  /// Weighted sums of what stands in `half`, and `sign` times that on the other side: from one
+  /// offset downstream of the first to two upstream of the last.
+  void weigh(const double* half, double sign, const DifferenceWeights& c, double* sums) {
+    const std::size_t middle = last_ + 1;
+    for (std::size_t i = 0; i < middle; ++i) {
+      line_[i] = sign * half[middle - i];
+    }
+    std::copy_n(half, line_.size() - middle, line_.begin() + static_cast<std::ptrdiff_t>(middle));
+    for (std::size_t i = 0; i < length_; ++i) {
+      sums[i] = c[0] * line_[i] + c[1] * line_[i + 1] + c[2] * line_[i + 2] + c[3] * line_[i + 3];
     }
   }
   double* component(std::size_t index, std::size_t aside) {
@@ -220,6 +213,7 @@ private:
 
   std::size_t last_;
   std::size_t length_;
+  std::vector<double> line_;
   std::vector<double> values_;
 };
 
@@ -281,14 +275,14 @@ void TractionConvolution<Real>::fill_spectrum(const WeightedCoefficients& coeffi
 
   const auto last = static_cast<std::ptrdiff_t>(shape_.rows) - 1;
   const std::size_t row_count = 2 * shape_.rows - 1;
-  SpectrumLines rows(plans.line_fft<double>(row_period_), row_period_, row_count);
+  SpectrumLines<Real> rows(plans.line_fft<Real>(row_period_), row_period_, row_count);
   for (std::size_t row = 0; row < row_count; ++row) {
     const std::ptrdiff_t downstream = static_cast<std::ptrdiff_t>(row) - last;
-    std::complex<double>* line = rows.line(row);
+    Complex* line = rows.line(row);
     for (std::size_t aside = 0; aside < shape_.columns; ++aside) {
-      const double xx = scale * coefficients.at(0, downstream, aside);
-      const double yy = scale * coefficients.at(1, downstream, aside);
-      const double xy = scale * coefficients.at(2, downstream, aside);
+      const auto xx = static_cast<Real>(scale * coefficients.at(0, downstream, aside));
+      const auto yy = static_cast<Real>(scale * coefficients.at(1, downstream, aside));
+      const auto xy = static_cast<Real>(scale * coefficients.at(2, downstream, aside));
       if (aside > 0) {
         line[row_period_ - aside] = {xx - xy, yy};
       }
@@ -299,19 +293,20 @@ void TractionConvolution<Real>::fill_spectrum(const WeightedCoefficients& coeffi
 
   // Some columns at a time, each as what is even and what is odd along y.
   const std::size_t half = row_period_ / 2 + 1;
-  SpectrumLines columns(plans.line_fft<double>(column_period_), column_period_, 2 * block_columns);
+  SpectrumLines<Real> columns(plans.line_fft<Real>(column_period_), column_period_,
+                              2 * block_columns);
   for (std::size_t first = 0; first < half; first += block_columns) {
     const std::size_t count = std::min(block_columns, half - first);
     for (std::size_t row = 0; row < row_count; ++row) {
       const std::ptrdiff_t downstream = static_cast<std::ptrdiff_t>(row) - last;
       const auto place = static_cast<std::size_t>(
           downstream < 0 ? downstream + static_cast<std::ptrdiff_t>(column_period_) : downstream);
-      const std::complex<double>* line = rows.transformed(row);
+      const Complex* line = rows.transformed(row);
       for (std::size_t k = 0; k < count; ++k) {
-        const std::complex<double> one = line[first + k];
-        const std::complex<double> mirrored = line[first + k == 0 ? 0 : row_period_ - (first + k)];
-        columns.line(2 * k)[place] = 0.5 * (one + mirrored);
-        columns.line(2 * k + 1)[place] = 0.5 * (one - mirrored);
+        const Complex one = line[first + k];
+        const Complex mirrored = line[first + k == 0 ? 0 : row_period_ - (first + k)];
+        columns.line(2 * k)[place] = Real(0.5) * (one + mirrored);
+        columns.line(2 * k + 1)[place] = Real(0.5) * (one - mirrored);
       }
     }
     columns.transform();

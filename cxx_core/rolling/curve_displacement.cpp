@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "half_space/traction_convolution.hpp"
+#include "mechanics/cascade.hpp"
 #include "rolling/scaled_tractions.hpp"
 
 namespace wrc {
@@ -90,6 +91,31 @@ SlipByPressures slip_by_pressures(const RollingProblem& problem,
   for (std::size_t at = 0; at < slip.x.size(); ++at) {
     slip.x[at] *= unit;
     slip.y[at] *= unit;
+  }
+  return slip;
+}
+
+SlipByPressures smooth_slip_by_pressures(const RollingProblem& problem,
+                                         std::span<const double> inclinations, LinePlans& plans) {
+  const Grid& fine = problem.grid;
+  std::vector<double> pressure;
+  std::vector<double> angles;
+  coarsen_pressure({fine.lateral_count, fine.longitudinal_count}, problem.pressure, pressure);
+  coarsen_angles(inclinations, angles);
+  RollingProblem coarse = problem;
+  coarse.grid = {(fine.lateral_count + 1) / 2,
+                 (fine.longitudinal_count + 1) / 2,
+                 2.0 * fine.lateral_step,
+                 2.0 * fine.longitudinal_step,
+                 fine.lateral_first + 0.5 * fine.lateral_step,
+                 fine.longitudinal_first + 0.5 * fine.longitudinal_step};
+  coarse.pressure = pressure;
+  SlipByPressures slip = slip_by_pressures(coarse, angles, plans);
+  if (!slip.x.empty()) {
+    for (std::vector<double>* component : {&slip.x, &slip.y}) {
+      std::vector<double> values = std::move(*component);
+      interpolate(coarse.grid, values, fine, *component);
+    }
   }
   return slip;
 }

@@ -29,4 +29,12 @@ struct SlipByPressures {
 SlipByPressures slip_by_pressures(const RollingProblem& problem,
                                   std::span<const double> inclinations, LinePlans& plans);
 
+/// The same by the means of two by two elements, bilinear between these: for a quarter of the
+/// cost. Inclined rows push each other the less the nearer they are, so that the slip is smooth.
+/// On 640 wheels (160 at 1e-2 and 1e-3, in planes and along curves) creep forces change by 0.008
+/// accuracies in the median, 0.16 on 99 % and 0.25 at most; means of four by four change them by up
+/// to 2.
+SlipByPressures smooth_slip_by_pressures(const RollingProblem& problem,
+                                         std::span<const double> inclinations, LinePlans& plans);
+
 } // namespace wrc
