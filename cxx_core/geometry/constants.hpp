@@ -175,6 +175,11 @@ inline constexpr double row_spacing = max_node_distance;
 inline constexpr double coarse_row_spacing = 2.0;
 inline constexpr double coarse_row_step = 5.0;
 
+/// Newton's method along a ray of the scan ends with a step shorter than this, mm.
+/// origin: bound: the next step is a hundredth of that where profiles change by a tenth of its
+/// length; minima that the scan shows are found again.
+inline constexpr double scan_step = 1.0;
+
 /// Chains are followed up to this height above the least distance, mm.
 /// origin: reasoned: sixteen times greatest_depth, to which wheels sink under any load. The
 /// neighbourhood is not flat: with this and near_chain_height 30 % larger forces of two of 40

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/constants.hpp"
+
 namespace wrc {
 
 GapField::GapField(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose)
@@ -14,11 +16,11 @@ void GapField::restart() {
   rail_line_.restart();
 }
 
-std::optional<double> GapField::wheel_at(double x, double y, Vector3& met) {
+std::optional<double> GapField::wheel_at(double x, double y, Vector3& met, double enough) {
   Vector3 from = rotation_.to_body({x, y - lateral_, 0.0});
   from.y -= wheel_.taping_line();
   const Vector3 up = rotation_.to_body({0.0, 0.0, 1.0});
-  const auto position = wheel_line_.meet(from, up);
+  const auto position = wheel_line_.meet(from, up, enough);
   if (position) {
     met = from + *position * up;
   }
@@ -31,7 +33,7 @@ void GapField::scan(double x, std::span<const double> rows, std::span<double> ga
   wheel_line_.start_from(0.0);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     Vector3 met;
-    const auto wheel = gaps[i] > -nowhere ? wheel_at(x, rows[i], met) : std::nullopt;
+    const auto wheel = gaps[i] > -nowhere ? wheel_at(x, rows[i], met, scan_step) : std::nullopt;
     gaps[i] = wheel ? *wheel - gaps[i] : nowhere;
   }
 }

@@ -50,7 +50,8 @@ public:
 
 private:
   /// The wheel's height over a place, and where that is in its frame; none where it is not.
-  [[nodiscard]] std::optional<double> wheel_at(double x, double y, Vector3& met);
+  [[nodiscard]] std::optional<double> wheel_at(double x, double y, Vector3& met,
+                                               double enough = 0.0);
 
   const WheelSurface& wheel_;
   Rotation rotation_;

@@ -22,7 +22,8 @@ struct AngleRates {
 
 } // namespace
 
-std::optional<double> WheelLine::meet(const Vector3& from, const Vector3& direction) {
+std::optional<double> WheelLine::meet(const Vector3& from, const Vector3& direction,
+                                      double enough) {
   // Start: where the line enters the cylinder of the radius last met.
   const double radius = wheel_.radius() + height_;
   const double a = direction.x * direction.x + direction.z * direction.z;
@@ -57,13 +58,14 @@ std::optional<double> WheelLine::meet(const Vector3& from, const Vector3& direct
     const double step = std::clamp(-excess / derivative, -largest_step, largest_step);
     const bool at_step =
         iteration + 1 == max_newton_steps && std::abs(excess) <= step_tolerance * rho;
-    if (std::abs(step) <= ray_tolerance || at_step) {
+    const bool is_enough = std::abs(step) < enough;
+    if (std::abs(step) <= ray_tolerance || at_step || is_enough) {
       if (is_round_ && !wheel_.graph().heights().covers(lateral_)) {
         return std::nullopt;
       }
       height_ = profile->height;
       profile_ = *profile;
-      return position;
+      return is_enough ? position + step : position;
     }
     position += step;
     if (iteration > free_newton_steps) {

@@ -33,8 +33,9 @@ public:
       : wheel_(wheel), is_round_(wheel.is_prismatic_along(along_track)), height_(height) {}
 
   /// Position along a line from `from` at which it meets the wheel from below; none where it does
-  /// not. The next line starts from there.
-  std::optional<double> meet(const Vector3& from, const Vector3& direction);
+  /// not. The next line starts from there. Newton's method ends with a step shorter than `enough`,
+  /// or with one of ray_tolerance.
+  std::optional<double> meet(const Vector3& from, const Vector3& direction, double enough = 0.0);
   void start_from(double height) { height_ = height; }
 
   /// Position on the wheel's profile where the last line met it, and the profile there.

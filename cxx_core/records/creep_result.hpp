@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/grid.hpp"
+#include "base/heap_optional.hpp"
 #include "records/motion.hpp"
 #include "records/slip_geometry.hpp"
 #include "rolling/rolling_problem.hpp"
@@ -82,8 +83,8 @@ struct CreepResult {
   Wrench beyond_creepages{};
   double residual = 0.0;
   int convolutions = 0;
-  double elements_wanted = 0.0;                ///< for the accuracy, of all parts
-  std::optional<CreepDerivatives> derivatives; ///< on request
+  double elements_wanted = 0.0;               ///< for the accuracy, of all parts
+  HeapOptional<CreepDerivatives> derivatives; ///< on request
   Grid grid;                      ///< of the fields, left-hand frame of the side; none with parts
   std::vector<double> pressure;   ///< on it
   std::vector<double> traction_x; ///< left-hand frame of the side, as all fields

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "accuracy/grid_solution.hpp"
+#include "base/heap_optional.hpp"
 #include "base/warning.hpp"
 #include "geometry/frames.hpp"
 #include "geometry/rail_surface.hpp"
@@ -60,9 +61,9 @@ struct PatchResult : Patch {
   double radius_lateral = 0.0;
   double fill = 0.0; ///< fraction of the elements under pressure
   int lobes = 1;     ///< local maxima of penetration joined on its grid, or in its plane
-  std::optional<CreepResult> creep;    ///< if creep forces were requested
-  std::optional<SlipGeometry> slip;    ///< with them, if slip is that of each element
-  std::optional<ContactDamage> damage; ///< if any of it was requested
+  HeapOptional<CreepResult> creep;    ///< if creep forces were requested
+  std::optional<SlipGeometry> slip;   ///< with them, if slip is that of each element
+  HeapOptional<ContactDamage> damage; ///< if any of it was requested
   /// The parts, if several patches have one plane, each as it was solved; else empty. Everything
   /// else is then that of the parts together (results/combined_contact.hpp), on a grid for fields
   /// only, which are computed on request.
@@ -102,7 +103,7 @@ struct WheelResult {
   ContactPoint centroid;
   /// All contact forces together (creep/total_force.hpp), if the mechanics have run.
   std::optional<WheelForce> total;
-  std::optional<ContactDamage> damage;        ///< worst of the patches, if any of it was requested
+  HeapOptional<ContactDamage> damage;         ///< worst of the patches, if any of it was requested
   double approach = 0.0;                      ///< of the first patch
   double depth = 0.0;                         ///< vertical approach, from the first touch
   double angle = 0.0;                         ///< of the first patch

@@ -33,7 +33,7 @@ struct Reading {
   }
 };
 
-template <class Owner> const Owner* address_of(const std::optional<Owner>& owner) {
+template <class Owner> auto address_of(const Owner& owner) {
   return owner ? &*owner : nullptr;
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/heap_optional.hpp"
 #include "keys/key_warnings.hpp"
 #include "keys/scene.hpp"
 #include "scene/noisy_scene.hpp"
@@ -42,12 +43,12 @@ struct SceneResult {
   std::optional<SceneWheel> left;
   std::optional<SceneWheel> right;
   StageMilliseconds time;
-  std::vector<std::string> corrections;  ///< made to profiles read from files
-  KeyWarnings key_warnings;              ///< of the scene
-  ProfileWarnings profile_warnings;      ///< of the profiles it was solved with
-  std::optional<NoisyScene> noise;       ///< with profiles of points
-  std::optional<SceneSpread> spread;     ///< once it was requested, see spread_of
-  std::optional<SmoothedScene> smoothed; ///< likewise, see smoothed_of
+  std::vector<std::string> corrections; ///< made to profiles read from files
+  KeyWarnings key_warnings;             ///< of the scene
+  ProfileWarnings profile_warnings;     ///< of the profiles it was solved with
+  HeapOptional<NoisyScene> noise;       ///< with profiles of points
+  HeapOptional<SceneSpread> spread;     ///< once it was requested, see spread_of
+  HeapOptional<SmoothedScene> smoothed; ///< likewise, see smoothed_of
 };
 
 } // namespace wrc

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/heap_optional.hpp"
 #include "records/wheel_result.hpp"
 #include "results/pressure_lobes.hpp"
 
@@ -29,9 +30,9 @@ struct SceneWheel : WheelResult {
   const std::vector<PressureLobe>& lobes(std::size_t patch, std::optional<std::size_t> part);
 
 private:
-  std::optional<Residuals> residuals_;
-  std::optional<std::optional<WheelRates>> sensitivities_; ///< of which there may be none
-  std::optional<ForceJacobian> jacobian_;
+  HeapOptional<Residuals> residuals_;
+  std::optional<HeapOptional<WheelRates>> sensitivities_; ///< of which there may be none
+  HeapOptional<ForceJacobian> jacobian_;
   std::map<std::pair<std::size_t, std::optional<std::size_t>>, std::vector<PressureLobe>> lobes_;
 };
 

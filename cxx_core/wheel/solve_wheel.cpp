@@ -398,6 +398,7 @@ void WheelSolver::publish(GridSolution solution) {
   for (std::size_t plane = 0; plane < planes.size(); ++plane) {
     for (const std::size_t k : planes[plane].patches) {
       Patch& patch = result_.patches.emplace_back(std::move(solution.patches[k]));
+      patch.approach_shares = {}; // for solving only
       patch.plane = plane;
       patch.approach = patch.overlap();
     }
