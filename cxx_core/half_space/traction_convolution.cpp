@@ -195,7 +195,7 @@ private:
   explicit WeightedCoefficients(const TractionShape& shape)
       : last_(shape.rows - 1), length_(2 * shape.rows - 1), line_(length_ + difference_reach + 1),
         values_(3 * shape.columns * length_) {}
-  /// Weighted sums of what stands in `half`, and `sign` times that on the other side: from one
+  /// Weighted sums of the values in `half`, and `sign` times that on the other side: from one
   /// offset downstream of the first to two upstream of the last.
   void weigh(const double* half, double sign, const DifferenceWeights& c, double* sums) {
     const std::size_t middle = last_ + 1;

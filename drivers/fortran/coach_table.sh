@@ -9,7 +9,7 @@ tables=("${@:3}")
 files=$(mktemp -d)
 trap 'rm -r "$files"' EXIT
 line=(--threads 1 --speed 40 --radius 1000 --cant 0.12 --start 20 --transition 50 --circle 40 --seconds "$seconds")
-models=("fastsim 1e-1" "fastsim 1e-2" "full 1e-1" "full 1e-2")
+models=("fastsim 1e-1" "fastsim 1e-2" "full 3e-2" "full 1e-2")
 methods=("explicit" "implicit 1" "implicit 20")
 
 # run FILE CREEP ACCURACY METHOD [KEEP]; forces from $table if that is not empty.
