@@ -19,6 +19,7 @@ from .errors import (AccuracyNote, Busy, ContactWarning, Error, FileMalformed, F
 from .measures import Comparison, Dimensions
 from .grid import NormalContact, RollingContact
 from .profile import Profile, ProfilePoint, standard_profiles
+from .report import report
 from .result import FrozenResult, Group, Result
 from .scene import Key, Scene, key_of, keys, solve
 from .solver import Equilibrium, History, Solver, Step, solve_batch
@@ -30,6 +31,6 @@ __all__ = [
     "AccuracyNote", "Busy", "Comparison", "Conicity", "ContactWarning", "Dimensions", "Equilibrium", "Error", "FileMalformed", "FileUnreadable", "FrozenResult", "Group", "History", "InternalError",
     "InvalidArgument", "Key", "NoContact", "NoResult", "NormalContact", "NotConverged",
     "OutOfMemory", "Profile", "ProfilePoint", "Result", "RollingContact", "Scene", "Solver", "Step",
-    "Table", "TableFacts", "TooSmall", "UnknownName", "key_of", "keys", "solve", "solve_batch", "standard_profiles",
+    "Table", "TableFacts", "TooSmall", "UnknownName", "key_of", "keys", "report", "solve", "solve_batch", "standard_profiles",
     "study",
 ]
