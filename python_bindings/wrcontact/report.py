@@ -45,9 +45,11 @@ body { font: 15px sans-serif; margin: 1em auto; max-width: 960px; padding: 0 1em
 h1 { font-size: 1.4em; }
 h2 { font-size: 1.15em; margin-top: 1.6em; border-bottom: 1px solid #8888; }
 img { max-width: 100%; height: auto; display: block; margin: .6em 0; background: #fff; }
-table { border-collapse: collapse; margin: .6em 0; display: block; overflow-x: auto; }
+table { border-collapse: collapse; margin: .6em 0; display: block; overflow-x: auto; overflow-wrap: normal; }
 td, th { padding: .2em .6em; border-bottom: 1px solid #8885; text-align: left; vertical-align: top; font-weight: normal; }
-.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+td:last-child:not(.number) { min-width: 11em; overflow-wrap: anywhere; }
+.number { text-align: right; font-variant-numeric: tabular-nums; }
+td.number { white-space: nowrap; }
 .fail { color: #c00000; font-weight: bold; }
 @media (prefers-color-scheme: dark) { .fail { color: #ff8080; } }
 @media print { @page { size: A4; margin: 15mm; } body { max-width: none; margin: 0; padding: 0; font-size: 10pt; }
@@ -111,7 +113,7 @@ def limits_of(limits: Limits, known: Sequence[str]) -> list[tuple[str, float | N
         rows: list[Any] = [(name, *pair, "the caller") for name, pair in limits.items()]
     else:
         with open(limits, encoding="utf-8", newline="") as file:
-            table = csv.DictReader(line for line in file if not line.startswith("#"))
+            table = csv.DictReader(file)
             try:
                 rows = [(row["quantity"], *(float(row[side]) if row[side] else None for side in ("least", "greatest")),
                          row["source"] or "") for row in table]
@@ -170,9 +172,9 @@ def report(wheel: Profile | str, rail: Profile | str, path: str | os.PathLike[st
     if rows:
         page.add("h2", "Limits")
         decimals = {"mm": 2, "MPa": 0, "1": 4}
-        page.table([("quantity", "value", "least", "greatest", "unit", "verdict", "source"), *(
-            (meaning, *((one, decimals[unit]) for one in (value, least, greatest)), unit.replace("1", ""),
-             verdict(value, spread, least, greatest), source)
+        page.table([("quantity", "verdict", "value", "least", "greatest", "unit", "source"), *(
+            (meaning, verdict(value, spread, least, greatest),
+             *((one, decimals[unit]) for one in (value, least, greatest)), unit.replace("1", ""), source)
             for name, least, greatest, source in rows for value, spread, unit, meaning in [facts[name]])])
     _add_warnings(page, centre, positions, lateral)
     if not isinstance(centre, str):

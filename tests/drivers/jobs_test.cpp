@@ -191,7 +191,10 @@ TEST_F(Jobs, AReportShowsThePressuresOfWrcCase) {
             std::string::npos)
       << pmax;
   ASSERT_EQ(run(WRC_REPORT_PROGRAM, "S1002 60E1 --page b.html --quiet").exit_code, 0);
-  EXPECT_EQ(page, read("b.html")) << "threads do not change a bit";
+  const auto without_origin = [](const std::string& text) {
+    return text.substr(0, text.find("<p>")) + text.substr(text.find("<h2>"));
+  };
+  EXPECT_EQ(without_origin(page), without_origin(read("b.html"))) << "threads do not change a bit";
 }
 
 TEST_F(Jobs, AReportRefusesMistakes) {

@@ -192,7 +192,7 @@ if grep -oE '(src|href)="?[^" >]+' "$folder/state.html" | grep -v 'data:'; then
   echo "the page asks for another file"
   exit 1
 fi
-# A report of a wheel with such a name: shown as it is, and all five pictures are there.
+# A report of a wheel with such a name: shown as it is, and all six pictures are there.
 hostile="x<img src=x onerror=document.body.id='ran'>.prw"
 "${sweep%sweep}profile" S1002 --convert "$folder/$hostile" >"$folder/log" 2>&1
 "${sweep%sweep}report" "$folder/$hostile" 60E1 --page "$folder/report.html" --set solve.accuracy=0.1 --quiet
@@ -206,11 +206,32 @@ hostile="x<img src=x onerror=document.body.id='ran'>.prw"
 } >"$folder/report_counted.html"
 "$chromium" "${options[@]}" --dump-dom "file://$folder/report_counted.html" 2>"$folder/log" >"$folder/dom"
 if ! grep -qF "<h1>x&lt;img src=x onerror=document.body.id='ran'&gt;.prw on 60E1</h1>" "$folder/dom" ||
-  ! grep -qF "<title>5 pictures</title>" "$folder/dom" || grep -q '<body id=' "$folder/dom"; then
+  ! grep -qF "<title>6 pictures</title>" "$folder/dom" || grep -q '<body id=' "$folder/dom"; then
   echo "a report shows:"
   grep -oE '<body[^>]*>|<h1.*</h1>|<title>.*' "$folder/dom" || true
   exit 1
 fi
+# A report fits a screen of 390 pixels and, as it is printed, the 680 pixels between the margins of A4.
+"${sweep%sweep}report" S1002 60E1 --page "$folder/plain.html" --set solve.accuracy=0.1 --nominal-wheel LM --quiet
+for width in 390 680; do
+  {
+    [ "$width" = 390 ] && grep -v Content-Security-Policy "$folder/plain.html"
+    [ "$width" = 680 ] && grep -v Content-Security-Policy "$folder/plain.html" | sed 's/@media print/@media all/'
+    echo '<script>
+      const root = document.documentElement;
+      const cut = [...document.querySelectorAll("table, img")].filter(one => one.getBoundingClientRect().right > innerWidth + 1);
+      const hidden = innerWidth === 680 ? [...document.querySelectorAll("table")].filter(one => one.scrollWidth > one.clientWidth + 1) : [];
+      document.title = `${root.scrollWidth <= innerWidth ? "fits" : "too wide"} ${innerWidth}, ${cut.length + hidden.length} cut`;
+    </script>'
+  } >"$folder/narrow.html"
+  echo "<iframe id=frame width=$width height=2000 src='narrow.html'></iframe>
+    <script>onload = () => { document.title = frame.contentDocument.title; };</script>" >"$folder/frame.html"
+  "$chromium" "${options[@]}" --allow-file-access-from-files --virtual-time-budget=5000 --dump-dom "file://$folder/frame.html" 2>"$folder/log" >"$folder/dom"
+  if ! grep -qF "<title>fits $width, 0 cut</title>" "$folder/dom"; then
+    echo "a report $width pixels wide: $(grep -oE '<title>.*</title>' "$folder/dom")"
+    exit 1
+  fi
+done
 if [ -n "$picture" ]; then
   "$chromium" "${options[@]}" "--screenshot=$picture" "file://$folder/moved.html" 2>"$folder/log"
 fi
