@@ -122,6 +122,7 @@ std::string Study::fingerprint() const {
       text << std::quoted(one) << ' ';
     }
   }
+  text << (for_page ? "\npage" : "");
   for (auto input = inputs.begin() + 1; input != inputs.end(); ++input) {
     text << '\n' << std::quoted(input->path) << ' ' << input->sha256;
   }

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
@@ -13,7 +12,6 @@ from ._interface import ffi
 from ._library import doubles, lib, pointer, string
 from ._warnings import GRADES, Graded, warn_of_many, worst_of
 from .errors import Error, InvalidArgument
-from .profile import Profile, standard_profiles
 from .scene import Scene, key_of, keys, refuse_doubled, values_of
 from .result import long_name_of, unit_of
 from .solver import solve_without_warning, warnings_of_outcome
@@ -49,7 +47,7 @@ def _study(parameters: Mapping[str, Any], results: Sequence[str] | str = ("left.
     `grade` (0 fine, 1 a little over, 2 do not use), `warning_count` and `warnings` (texts, separated by " | "), and all keys that do not vary as
     attributes. A scene that fails is not raised; each kind of warnings is a ContactWarning with the
     number of its scenes. Results do not depend on `threads`; each scene is solved by itself, as by
-    Scene.solve. A profile file is read once.
+    Scene.solve.
     """
     import xarray
 
@@ -204,7 +202,6 @@ def _solve_all(columns: Mapping[str, Any], count: int, results: Sequence[str], t
     table = np.full((count, len(results)), np.nan)
     statuses, messages = np.zeros(count, dtype=np.int32), np.full(count, "", dtype=object)
     warned: list[list[Graded]] = [[] for _ in range(count)]
-    columns, values = _read_once(columns, values)
     at_once = _SCENES_AT_ONCE if progress is None else _SCENES_A_REPORT
     scenes = [Scene(**values) for _ in range(min(count, at_once))]
     result_ids = _ids(results, "number")
@@ -225,29 +222,6 @@ def _solve_all(columns: Mapping[str, Any], count: int, results: Sequence[str], t
         if progress is not None:
             progress(min(1.0, (start + at_once) / count))
     return table, statuses, messages, warned
-
-
-def _read_once(columns: Mapping[str, Any], values: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Files of profiles as profiles, unless they have options or vary along the track."""
-    profiles: dict[tuple[str, str], Profile] = {}
-
-    def read(key: str, value: Any) -> Any:
-        kind = {"wheel": "wheel", "rail": "rail"}.get(key.rpartition(".")[2])
-        if kind is None or not isinstance(value, (str, os.PathLike)) or ";" in os.fspath(value):
-            return value
-        path = os.fspath(value)
-        if path in standard_profiles(kind) or Path(path).suffix.lower() in (".slcs", ".slcw") or not os.path.isfile(path):
-            return value
-        if (kind, path) not in profiles:
-            profiles[kind, path] = Profile.from_file(path, kind=kind)
-        return profiles[kind, path]
-
-    names = [key_of(word) for word in (*columns, *values)]
-    if any(len(name.split(".")) > 2 and name.split(".")[-2] in ("rail", "wheel") for name in names):
-        return dict(columns), dict(values)  # options of profiles, as keys
-    return ({key: column if column.dtype != object else _objects([read(key, value) for value in column])
-             for key, column in columns.items()},
-            {word: read(key_of(word), value) for word, value in values.items()})
 
 
 def _objects(items: Sequence[Any]) -> Any:

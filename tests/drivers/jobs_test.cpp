@@ -81,8 +81,9 @@ TEST_F(Jobs, ConicityOfOneRailIsInWords) {
 
 TEST_F(Jobs, AFleetIsRanked) {
   NEEDS_GNUPLOT();
-  const std::string out = succeed("fleet --wheels S1002 measured/wheel.txt nowhere.whl LMA --rails "
-                                  "60E1 --set 'pose.lateral=[-3, 0, 3]' --threads 2 --out o");
+  const std::string out =
+      succeed("fleet --wheels S1002 measured/wheel.txt nowhere.whl LMA --rails "
+              "60E1 --set 'pose.lateral=[-3, 0, 3]' --threads 2 --digits 17 --out o");
   const CsvTable ranking = table("o/fleet_ranking.csv");
   const CsvTable scenes = table("o/fleet.csv");
   ASSERT_EQ(ranking.row_count(), 4U);

@@ -19,7 +19,7 @@ longitudinal = 0.001
 [solve]
 creep = "full"
 END
-"$sweep" "$folder/s.toml" --page "$folder/page.html" --quiet
+"$sweep" "$folder/s.toml" --out "$folder/s" --page "$folder/page.html" --quiet
 # What a hand does.
 {
   cat "$folder/page.html"
@@ -60,7 +60,7 @@ wheel = ["evil/<img src=x onerror=document.body.id='ran'><!--\"'</script><script
 title = "</script><script>document.body.id='ran'</script> <!-- <script> {pose.yaw}"
 END
 status=0
-"$sweep" "$folder/names.toml" --page "$folder/names.html" --quiet >"$folder/log" 2>&1 || status=$?
+"$sweep" "$folder/names.toml" --out "$folder/names" --page "$folder/names.html" --quiet >"$folder/log" 2>&1 || status=$?
 if [ "$status" -ne 3 ]; then
   echo "a study without results ends with $status instead of 3:"
   cat "$folder/log"
@@ -90,7 +90,7 @@ lateral = [0, 0.003, 0.1]
 [solve]
 accuracy = 1e-2
 END
-"$sweep" "$folder/rails.toml" --page "$folder/rails.html" --quiet
+"$sweep" "$folder/rails.toml" --out "$folder/rails" --page "$folder/rails.html" --quiet
 {
   cat "$folder/rails.html"
   echo '<script>
@@ -147,7 +147,7 @@ accuracy = 1e-2
 [study]
 title = "at {pose.lateral} mm, {load.both} N"
 END
-"$sweep" "$folder/state.toml" --page "$folder/state.html" --quiet >"$folder/log" 2>&1
+"$sweep" "$folder/state.toml" --out "$folder/state" --page "$folder/state.html" --quiet >"$folder/log" 2>&1
 {
   cat "$folder/state.html"
   echo '<script>

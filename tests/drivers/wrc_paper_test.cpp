@@ -11,7 +11,7 @@ protected:
   void sweep(const std::string& name, const std::string& folder,
              const std::string& options = "--set solve.accuracy=0.1") const {
     const Outcome outcome =
-        run(WRC_SWEEP_PROGRAM, std::string("'") + WRC_STUDIES + "/" + name + ".toml' --threads 2 " +
+        run(WRC_SWEEP_PROGRAM, std::string("'") + WRC_STUDIES + "/" + name + ".toml' --digits 17 --threads 2 " +
                                    options + " --out " + folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   }

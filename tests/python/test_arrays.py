@@ -19,7 +19,7 @@ def test_arrays_give_the_bits_of_single_scenes_and_of_the_program(tmp_path):
     (tmp_path / "s.toml").write_text(
         "[pose]\nlateral = {from = -5, to = 5, count = 41}\n[solve]\naccuracy = 1e-2\n"
         '[study]\nresults = ["left.pmax", "right.area", "rolling_radius_difference"]\n')
-    subprocess.run([BUILD / "bin/wrc_sweep", "s.toml", "--quiet", "--no-pictures"], cwd=tmp_path, check=True)
+    subprocess.run([BUILD / "bin/wrc_sweep", "s.toml", "--quiet", "--no-pictures", "--digits", "17"], cwd=tmp_path, check=True)
     with open(tmp_path / "s.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     names = ["left.pmax", "right.area", "rolling_radius_difference"]
@@ -109,7 +109,7 @@ def test_counts_are_int():
     assert type(result.left.pmax) is float
 
 
-def test_a_file_is_read_once_and_again_when_it_changes(tmp_path, monkeypatch):
+def test_a_file_is_read_once_and_again_when_it_changes(tmp_path):
     path = tmp_path / "rail.txt"
     found = {}
     for name in ("60E1", "54E1"):
@@ -118,11 +118,6 @@ def test_a_file_is_read_once_and_again_when_it_changes(tmp_path, monkeypatch):
         assert found[name][0] == found[name][1] == wrcontact.Solver().solve(
             wrcontact.Scene(rail=path, lateral=2, **QUICK)).left.pmax
     assert found["60E1"] != found["54E1"]
-    read = []
-    monkeypatch.setattr(wrcontact.Profile, "from_file", classmethod(
-        lambda cls, path, **options: read.append(path) or wrcontact.Profile(path, **options)))
-    data = wrcontact.study({"lateral": [0, 2], "rail": [str(path)]}, "left.pmax", **QUICK)
-    assert read == [str(path)] and float(data["left.pmax"][1, 0]) == found["54E1"][0]
     times = wrcontact.solve(rail=path, until="geometry")["time_ms.profile"]
     assert times == 0.0  # it has been read before
 

@@ -52,7 +52,7 @@ def test_a_comparison_is_that_of_wrc_profile():
 
 def conicities_of(wheel, rail, folder):
     subprocess.run([BUILD / "bin/wrc_sweep", "conicity", "--wheels", wheel, "--rails", rail, "--out", folder, "--quiet",
-                    "--no-pictures"], check=True, capture_output=True)
+                    "--no-pictures", "--digits", "17"], check=True, capture_output=True)
     with open(folder / "conicity_by_amplitude.csv", encoding="utf-8") as file:
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
