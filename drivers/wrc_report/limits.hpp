@@ -31,7 +31,7 @@ std::vector<Limit> read_limits(const std::string& path);
 /// pass, fail, or what is between: a limit within the spread, or no value.
 std::string verdict(const Quantity& quantity, const Limit& limit);
 
-/// A row of titles and one for each limit. Throws Failure for a limit of what is no quantity.
+/// A row of titles and one for each limit. Throws Failure for an unknown quantity.
 std::vector<std::vector<std::string>> limit_rows(const std::vector<Limit>& limits,
                                                  const Quantities& quantities);
 

@@ -452,18 +452,6 @@ TEST_F(WrcSweep, APageHoldsTheScenes) {
       .expect_refusal({"--page", "2004", "2000"});
 }
 
-TEST_F(WrcSweep, APageWithoutAnyResultIsAFailure) {
-  write("s.toml", "[pose]\nlateral = [99, 100]\n");
-  const Outcome none = run("s.toml --page p.html");
-  EXPECT_EQ(none.exit_code, 3);
-  EXPECT_NE(none.error.find("no scene has the status ok; ./s.csv has the message of each"),
-            std::string::npos)
-      << none.error;
-  EXPECT_NE(read("p.html").find("wheel off the rail"), std::string::npos);
-  write("s.toml", "[pose]\nlateral = [0, 100]\n[load]\nboth = 0\n");
-  EXPECT_EQ(run("s.toml --page p.html").exit_code, 0);
-}
-
 TEST_F(WrcSweep, RefusesBadArguments) {
   write("s.toml", study);
   run("").expect_refusal({"no study given"});
