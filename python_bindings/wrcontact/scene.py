@@ -156,8 +156,10 @@ class Scene(SceneKeywords):
             for name in sorted(value, key=lambda name: str(name).lower() != "file"):  # its options are behind it
                 self[f"{key}.{name}"] = value[name]
             return
-        if getattr(value, "ndim", None) == 0 and not isinstance(value, np.generic):
-            value = np.asarray(value)[()]  # an array of one value without a dimension
+        if isinstance(value, (float, int, str)):
+            pass  # most values
+        elif getattr(value, "ndim", None) == 0 and not isinstance(value, np.generic):
+            value = given = np.asarray(value)[()]  # an array of one value without a dimension
         elif varies(key, value):
             raise InvalidArgument(f"{key} has {np.size(value)} values and takes one; wrcontact.solve takes arrays, "
                                   "and wrcontact.study all combinations")
@@ -311,8 +313,8 @@ def _kept_solver(given: Mapping[tuple[str, int], Any]) -> Any:
         if status != 0:
             raise error_of(status)
         _kept.solver, _kept.files = ffi.gc(place[0], lib.wrc_solver_destroy), {}
-    for value in given.values():
-        if isinstance(value, (str, os.PathLike)):
+    for (key, _), value in given.items():
+        if key.endswith(("wheel", "rail", "align_to")) and isinstance(value, (str, os.PathLike)):
             for word in re.split(r";|=", os.fspath(value)):  # a file, and that of the option align_to
                 path = word.strip()
                 try:
