@@ -67,10 +67,10 @@ def test_the_list_of_names_has_those_of_results():
 
 def test_a_step_has_a_jacobian_in_the_usual_order():
     scene, solver = wrcontact.Scene(accuracy=1e-2, accuracy_of="forces"), wrcontact.Solver()
-    position, velocity = np.array([0.0, 1.0, 459.95, 0.0, 0.0, 0.001]), np.array([20e3, 1.0, 0, 0, 20e3 / 460, 0])
+    position, velocity = np.array([0.0, 1.0, 459.7, 0.0, 0.0, 0.001]), np.array([20e3, 1.0, 0, 0, 20e3 / 460, 0])
     step = solver.step(scene, position, velocity, derivatives=True)
     jacobian = step.jacobian()
-    assert jacobian.shape == (2, 6, 12)
+    assert jacobian.shape == (2, 6, 12) and (jacobian[:, 2, 2] != 0.0).all()
     for wheel, component, coordinate in ((0, 1, 1), (1, 2, 3), (0, 5, 2)):
         assert jacobian[wheel, component, coordinate] == step.by_position[wheel, coordinate, component]
         assert jacobian[wheel, component, 6 + coordinate] == step.by_velocity[wheel, coordinate, component]
@@ -85,7 +85,7 @@ def test_a_step_has_a_jacobian_in_the_usual_order():
 
 def test_what_can_be_sent_is_pickled_and_the_rest_says_what_to_send(tmp_path):
     scene, solver = wrcontact.Scene(accuracy=1e-2), wrcontact.Solver()
-    step = solver.step(scene, [0, 1, 459.95, 0, 0, 0], [20e3, 0, 0, 0, 43.0, 0], derivatives=True)
+    step = solver.step(scene, [0, 1, 459.8, 0, 0, 0], [20e3, 0, 0, 0, 43.0, 0], derivatives=True)
     sent = pickle.loads(pickle.dumps(step))
     assert np.array_equal(sent.jacobian(), step.jacobian()) and np.array_equal(sent.states, step.states)
     profile = wrcontact.Profile("S1002")
