@@ -9,9 +9,9 @@ cd "$(dirname "$0")/.."
 failures=0
 git ls-files '*.cpp' '*.hpp' '*.h' '*.c' | xargs clang-format --dry-run --Werror || failures=1
 git ls-files '*.sh' .ci/run | xargs shellcheck || failures=1
-git ls-files -- ':!profiles/*.toml' ':!tests/fuzz/corpus' ':!docs/images' | xargs codespell || failures=1
+git ls-files -- ':!profiles/*.toml' ':!tests/fuzz/corpus' ':!docs/images' ':!*.ipynb' | xargs codespell || failures=1
 mypy --cache-dir build/mypy --config-file python_bindings/pyproject.toml \
-  python_bindings/wrcontact drivers/evidence/varying/*.py drivers/evidence/half_space_limits/*.py \
+  python_bindings/wrcontact python_bindings/examples/*.py drivers/evidence/varying/*.py drivers/evidence/half_space_limits/*.py \
   drivers/evidence/finite_elements/*.py || failures=1
 version=$(sed -n 's/^project(wrcontact VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 grep -qx "version: $version" CITATION.cff || {

@@ -13,7 +13,7 @@ cmake --build --preset release --target wrc_sweep wrc_paper wrc_benchmark | tail
 
 sweep() {
   build/release/bin/wrc_sweep "drivers/studies/$1.toml" --out "$out/$2" --restart \
-    --threads "$(nproc)" --quiet "${@:3}"
+    --threads "$(nproc)" --quiet --digits 17 "${@:3}"
 }
 
 echo "== S1002 on 60E1"

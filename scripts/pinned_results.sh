@@ -36,7 +36,7 @@ accuracy_of = "forces"
 [study]
 results = ["left.lateral_force", "right.vertical_force", "left.pressure_moment.x", "left.depth", "roll", "left.pmax", "left.sensitivities.pressure_force.z.vertical", "right.residuals.complementarity"]
 TOML
-"$bin/wrc_sweep" run.toml --quiet --no-pictures
+"$bin/wrc_sweep" run.toml --quiet --no-pictures --digits 17
 cat run.csv >>scenes.txt
 sha256sum scenes.txt | cut -d' ' -f1
 [ -z "${KEEP:-}" ] || cp scenes.txt "$KEEP"

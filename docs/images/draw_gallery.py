@@ -99,7 +99,7 @@ def main():
                 print(f"Skipped: {needed} is not installed: {picture} is not compared")
                 continue
             done = subprocess.run(["bash", "-ec", command], cwd=folder, capture_output=True, text=True, check=False,
-                                  env={**os.environ, "PATH": path, "LC_ALL": "C.UTF-8",
+                                  env={**os.environ, "PATH": path, "LC_ALL": "C.UTF-8", "SOURCE_DATE_EPOCH": "1767225600",
                                        "MPLCONFIGDIR": str(folder)})
             drawn = next((p for p in folder.rglob(picture) if "docs" not in p.relative_to(folder).parts), None)
             if done.returncode or not drawn:

@@ -31,8 +31,8 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         run(programs / "wrc_case", "--set", f"pose.lateral={LATERAL}", "--plot", folder / "lobes.png")
-        run(programs / "wrc_sweep", HERE.parents[1] / "drivers/studies/demonstration.toml", "--page",
-            folder / "page.html")
+        run(programs / "wrc_sweep", HERE.parents[1] / "drivers/studies/demonstration.toml", "--out", folder,
+            "--no-pictures", "--page", folder / "page.html")
         lobes = imread(folder / "lobes.png")[:, :, :3]
         lobes = lobes[:895, :lobes.shape[1] // 2]  # the left wheel, without the line of the warning
         with open(folder / "page.html", "a", encoding="utf-8") as page:

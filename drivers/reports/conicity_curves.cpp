@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "reports/conicity.hpp"
 #include "support/gnuplot.hpp"
@@ -29,6 +30,10 @@ double ConicityCurve::standard() const {
   return conicity[standard_index];
 }
 
+double ConicityCurve::standard_spread() const {
+  return spread.empty() ? std::numeric_limits<double>::quiet_NaN() : spread[standard_index];
+}
+
 double ConicityCurve::nonlinearity() const {
   return 0.5 * (conicity[index_of(4.0)] - conicity[index_of(2.0)]);
 }
@@ -40,8 +45,8 @@ std::string ConicityCurve::in_words(const std::string& shown) const {
     return subject + "no equivalent conicity" + at + ": " + no_conicity[standard_index];
   }
   std::string text = subject + "equivalent conicity " + fixed(standard(), 4);
-  if (!spread.empty() && spread[standard_index] > 0.0) {
-    text += " +- " + fixed(spread[standard_index], 4);
+  if (standard_spread() > 0.0) {
+    text += " +- " + fixed(standard_spread(), 4);
   }
   text += at;
   return std::isnan(nonlinearity())
@@ -148,13 +153,26 @@ void draw_conicity_curves(const std::vector<ConicityCurve>& curves, const std::s
     for (std::size_t i = 0; i < curves.size(); ++i) {
       std::vector<double> x;
       std::vector<double> y;
+      std::ostringstream band; // of the spread
       for (std::size_t k = 0; k < (curves[i].*panel.y).size(); ++k) {
         const double value = (curves[i].*panel.y)[k];
         if (!std::isnan(value)) {
+          if (panel.y == &ConicityCurve::conicity && k < curves[i].spread.size() &&
+              curves[i].spread[k] > 0.0) {
+            band << (curves[i].*panel.x)[k] << ' ' << value - curves[i].spread[k] << ' '
+                 << value + curves[i].spread[k] << '\n';
+            range.include(value + curves[i].spread[k]);
+            range.include(value - curves[i].spread[k]);
+          }
           x.push_back((curves[i].*panel.x)[k]);
           y.push_back(value);
           range.include(value);
         }
+      }
+      if (!band.str().empty()) {
+        items.push_back(gnuplot.block(band.str()) +
+                        " with filledcurves fs transparent solid 0.2 lc rgb '" +
+                        line_colour(i, curves.size()) + "' notitle");
       }
       if (!y.empty()) {
         items.push_back(gnuplot.block(x, y) + " with lines lw 2 dt " + std::to_string(i + 1) +

@@ -30,6 +30,8 @@ struct ConicityCurve {
 
   /// At `standard_amplitude`; NaN if there is none.
   [[nodiscard]] double standard() const;
+  /// Its spread; NaN if it is not known.
+  [[nodiscard]] double standard_spread() const;
   /// The nonlinearity parameter: half of the difference of conicities at 4 and 2 mm, 1/mm (Polach,
   /// Characteristic parameters of nonlinear wheel/rail contact geometry, Veh. Syst. Dyn. 48, 2010);
   /// NaN if there is none.

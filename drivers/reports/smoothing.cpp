@@ -4,6 +4,7 @@
 #include <limits>
 #include <tuple>
 
+#include "support/gnuplot.hpp"
 #include "support/numbers.hpp"
 
 namespace driver {
@@ -65,6 +66,35 @@ std::vector<Warning> spread_warnings(const Scene& scene) {
     }
   }
   return warnings;
+}
+
+void draw_smoothing(const Scene& scene, const std::filesystem::path& path) {
+  Gnuplot gnuplot;
+  gnuplot.begin_multiplot(1, 1);
+  Range range;
+  std::vector<std::string> items;
+  for (const std::string& side : sides_of(scene)) {
+    std::vector<double> x;
+    std::vector<double> y;
+    for (const int wavelength : {0, 3, 5, 8, 15}) {
+      const double value = scene.number_or(
+          side + ".smoothed_" + std::to_string(wavelength) + "mm.pmax", std::nan(""));
+      if (!std::isnan(value)) {
+        x.push_back(wavelength);
+        y.push_back(value);
+        range.include(value);
+      }
+    }
+    if (!x.empty()) {
+      items.push_back(gnuplot.block(x, y) + " with linespoints lw 2 pt 5 lc rgb '" +
+                      line_colour(items.size()) + "' title '" + side + " wheel'");
+    }
+  }
+  gnuplot.script() << "set xlabel 'smoothing wavelength, mm (waves of this length are halved)'\n"
+                   << "set ylabel 'largest pressure, MPa'\n"
+                   << range.command("y");
+  gnuplot.plot(items);
+  gnuplot.draw(path, 860, 380);
 }
 
 } // namespace driver

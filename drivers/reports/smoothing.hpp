@@ -4,6 +4,7 @@
 /// are built in.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ namespace driver {
 /// pmax and area by the wavelength that profiles of points are smoothed with: a row of titles, then
 /// two for each side. Empty with profiles that are built in.
 std::vector<std::vector<std::string>> smoothing_rows(const Scene& scene);
+
+/// Draws pmax over that wavelength.
+void draw_smoothing(const Scene& scene, const std::filesystem::path& path);
 
 /// A warning for each side whose results are more uncertain than the accuracy asks.
 std::vector<Warning> spread_warnings(const Scene& scene);

@@ -17,15 +17,21 @@ constexpr const char* head =
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">
 <meta name="viewport" content="width=device-width">
 <style>
-body { font: 15px sans-serif; margin: 1em auto; max-width: 960px; padding: 0 1em; color: #222; }
-h1 { font-size: 1.4em; overflow-wrap: anywhere; }
-h2 { font-size: 1.15em; margin-top: 1.6em; border-bottom: 1px solid #bbb; }
-img { max-width: 100%; height: auto; display: block; margin: .6em 0; }
-table { border-collapse: collapse; margin: .6em 0; display: block; overflow-x: auto; }
-td, th { padding: .2em .8em; border-bottom: 1px solid #ddd; text-align: left; vertical-align: top; font-weight: normal; }
-th { color: #555; }
-.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-li { margin: .25em 0; overflow-wrap: anywhere; }
+:root { color-scheme: light dark; }
+body { font: 15px sans-serif; margin: 1em auto; max-width: 960px; padding: 0 1em; overflow-wrap: anywhere; }
+h1 { font-size: 1.4em; }
+h2 { font-size: 1.15em; margin-top: 1.6em; border-bottom: 1px solid #8888; }
+img { max-width: 100%; height: auto; display: block; margin: .6em 0; background: #fff; }
+table { border-collapse: collapse; margin: .6em 0; display: block; overflow-x: auto; overflow-wrap: normal; }
+td, th { padding: .2em .6em; border-bottom: 1px solid #8885; text-align: left; vertical-align: top; font-weight: normal; }
+td:last-child:not(.number) { min-width: 11em; overflow-wrap: anywhere; }
+.number { text-align: right; font-variant-numeric: tabular-nums; }
+td.number { white-space: nowrap; }
+.fail { color: #c00000; font-weight: bold; }
+li { margin: .25em 0; }
+@media (prefers-color-scheme: dark) { .fail { color: #ff8080; } }
+@media print { @page { size: A4; margin: 15mm; } body { max-width: none; margin: 0; padding: 0; font-size: 10pt; }
+  table { display: table; width: 100%; } td, th { padding: .15em .3em; } img, tr { break-inside: avoid; } h2 { break-after: avoid; } }
 </style>
 )";
 
@@ -109,7 +115,10 @@ void HtmlPage::table(const std::vector<std::vector<std::string>>& rows) {
     for (std::size_t k = 0; k < rows[i].size(); ++k) {
       // A title stands as the first cell below it does.
       const std::string& kind = i == 0 && rows.size() > 1 ? rows[1].at(k) : rows[i][k];
-      out_ << '<' << cell << (reads_as_number(kind) ? " class=\"number\">" : ">")
+      out_ << '<' << cell
+           << (reads_as_number(kind)  ? " class=\"number\">"
+               : rows[i][k] == "fail" ? " class=\"fail\">"
+                                      : ">")
            << html_text(rows[i][k]) << "</" << cell << '>';
     }
     out_ << "</tr>\n";

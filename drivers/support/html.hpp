@@ -21,7 +21,7 @@ public:
   void heading(const std::string& text);
   void paragraph(const std::string& text);
   void list(const std::vector<std::string>& items);
-  /// The first row has the titles. Numbers stand to the right, texts to the left.
+  /// The first row has the titles. Numbers stand to the right, texts to the left, "fail" in red.
   void table(const std::vector<std::vector<std::string>>& rows);
   /// A .png or .svg file becomes part of the page; `meaning` is for those who cannot see it.
   void picture(const std::filesystem::path& file, const std::string& meaning);

@@ -47,6 +47,11 @@ inline std::string text_of(double number) {
   return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr};
 }
 
+/// With this number of significant digits, from 17 on the shortest that reads back the same.
+inline std::string table_text(double number, int digits) {
+  return digits >= 17 || std::isnan(number) ? text_of(number) : general(number, digits);
+}
+
 /// The words of a text, between blanks.
 inline std::vector<std::string> words(const std::string& text) {
   std::vector<std::string> all;

@@ -75,6 +75,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> assignments;
   bool json = false;
   bool csv = false;
+  int digits = 6;
   std::string vtk, plot, field, creep_field, stress, save;
   app.add("SCENE", scene_file, "scene file in TOML; every key is optional");
   app.add("--set", assignments,
@@ -84,6 +85,9 @@ int main(int argc, char** argv) {
       .one_value_each();
   app.flag("--json", json, "print one JSON object instead of the table");
   app.flag("--csv", csv, "print CSV, one line per side, instead of the table");
+  app.add("--digits", digits, "digits of numbers of --csv; 17: all that there are")
+      .within(1, 17)
+      .show_default();
   app.add("--vtk", vtk, "write the fields of all patches as legacy VTK, for ParaView").type("FILE");
   app.add("--plot", plot, "draw profiles, patches, pressures and tractions").type("FILE.png|svg");
   app.add("--field", field, "write the fields of all patches as CSV, one line per element")
@@ -111,7 +115,7 @@ int main(int argc, char** argv) {
     if (json) {
       driver::print_json(scene, std::cout);
     } else if (csv) {
-      driver::print_csv(scene, std::cout);
+      driver::print_csv(scene, digits, std::cout);
     }
     if (!field.empty()) {
       driver::write_field(scene, field);

@@ -361,7 +361,7 @@ void print_json(const Scene& scene, std::ostream& out) {
   print_json(object, out);
 }
 
-void print_csv(const Scene& scene, std::ostream& out) {
+void print_csv(const Scene& scene, int digits, std::ostream& out) {
   const std::vector<std::string> columns = words(
       "rigid_contact.s_wheel rigid_contact.t_rail rigid_contact.y rigid_contact.z "
       "rigid_contact.angle rigid_contact.rolling_radius pmax pmax_element area normal_force "
@@ -374,7 +374,7 @@ void print_csv(const Scene& scene, std::ostream& out) {
       .add(words("side roll vertical patches"))
       .add(columns)
       .add(words("grade warning_count warnings"));
-  out.precision(std::numeric_limits<double>::max_digits10);
+  out.precision(digits);
   for (const std::string& side : sides_of(scene)) {
     CsvLine line(out);
     line << side << scene.number("roll") << scene.number("vertical")

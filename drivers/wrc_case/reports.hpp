@@ -15,7 +15,7 @@ void print_near_contacts(const Scene& scene, std::ostream& out);
 /// All results as one object.
 void print_json(const Scene& scene, std::ostream& out);
 /// One line of column names, one line per side.
-void print_csv(const Scene& scene, std::ostream& out);
+void print_csv(const Scene& scene, int digits, std::ostream& out);
 /// Fields of all patches, a line per element: side, patch (N of patches.N), x, y, z,
 /// undeformed_distance, pressure, displacement.
 void write_field(const Scene& scene, const std::filesystem::path& path);

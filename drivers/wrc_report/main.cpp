@@ -16,6 +16,8 @@
 #include "support/output_file.hpp"
 #include "support/program.hpp"
 #include "support/scene_file.hpp"
+#include "wrc_report/limits.hpp"
+#include "wrc_report/origin.hpp"
 #include "wrc_report/pair.hpp"
 
 namespace driver {
@@ -24,7 +26,11 @@ namespace {
 struct Options {
   std::string wheel;
   std::string rail;
+  std::string nominal_wheel;
+  std::string nominal_rail;
+  std::string limits;
   std::string page = "report.html";
+  std::string command;
   std::vector<std::string> assignments;
   int threads = 1;
   bool quiet = false;
@@ -62,7 +68,9 @@ std::string file_name(const std::string& profile) {
 /// Texts that quote the profiles' files, without their folders.
 class Shortener {
 public:
-  explicit Shortener(const Options& options) : names_{options.wheel_name(), options.rail_name()} {}
+  explicit Shortener(const Options& options)
+      : names_{options.wheel_name(), options.rail_name(), options.nominal_wheel,
+               options.nominal_rail, options.limits,      options.page} {}
 
   [[nodiscard]] std::string operator()(std::string text) const {
     for (const std::string& name : names_) {
@@ -80,7 +88,7 @@ public:
   }
 
 private:
-  std::array<std::string, 2> names_;
+  std::array<std::string, 6> names_;
 };
 
 std::string shown(const Value& value) {
@@ -174,27 +182,79 @@ void add_warnings(HtmlPage& page, const std::vector<Position>& positions,
   }
 }
 
+/// `nominal` may be null.
 void add_profile(HtmlPage& page, const PictureFolder& folder, const Profile& profile,
-                 const std::string& shown, double flange_back, const Shortener& shorten) {
+                 const Profile* nominal, const std::string& shown, double flange_back,
+                 const Shortener& shorten) {
   const Measures measures = measure(profile, flange_back);
   page.heading((is_wheel(profile) ? "Wheel " : "Rail ") + shown);
   page.paragraph(shorten(profile.text("title") + ". Source: " + profile.text("source") + '.'));
   std::vector<std::vector<std::string>> rows{{"dimension", "value", "unit", "definition"}};
-  for (const Dimension& dimension : measures.dimensions) {
+  std::vector<Dimension> less;
+  if (nominal != nullptr) {
+    less = differences(measures, measure(*nominal, flange_back));
+    rows.front().insert(rows.front().begin() + 2, {"nominal", "difference"});
+  }
+  const auto three = [](const std::optional<double>& value) {
+    return value ? fixed(*value, 3) : "-";
+  };
+  for (std::size_t i = 0; i < measures.dimensions.size(); ++i) {
+    const Dimension& dimension = measures.dimensions[i];
     const std::string symbol = dimension.key == "flange_height"      ? " (Sh)"
                                : dimension.key == "flange_thickness" ? " (Sd)"
                                                                      : "";
-    rows.push_back({dimension.label + symbol, dimension.value ? fixed(*dimension.value, 3) : "-",
-                    dimension.unit, dimension.definition});
+    rows.push_back(
+        {dimension.label + symbol, three(dimension.value), dimension.unit, dimension.definition});
+    if (nominal != nullptr) {
+      const std::optional<double> difference = less[i].value;
+      rows.back().insert(
+          rows.back().begin() + 2,
+          {three(difference ? std::optional(*dimension.value - *difference) : std::nullopt),
+           three(difference)});
+    }
   }
   page.table(rows);
+  if (nominal != nullptr) {
+    const Comparison found = compare(profile, *nominal);
+    page.paragraph(shorten("Nominal: " + nominal->text("name") + ", at most " +
+                           fixed(found.largest, 3) + " mm away, at lateral " +
+                           fixed(found.largest_at.lateral, 1) + " mm; " +
+                           fixed(found.missing_area, 1) + " mm² are missing, " +
+                           fixed(found.added_area, 1) + " mm² are added."));
+  }
   if (const auto corrections = profile.corrections(); !corrections.empty()) {
     page.paragraph("Corrected on reading:");
     page.list(shorten(corrections));
   }
   const auto picture = folder / (is_wheel(profile) ? "wheel.png" : "rail.png");
-  draw_profile(profile, measures, nullptr, picture);
-  page.picture(picture, "shape and curvature of " + shown);
+  draw_profile(profile, measures, nominal, picture);
+  page.picture(picture, nominal == nullptr ? "shape and curvature of " + shown
+                                           : "shape of " + shown + " and distance to the nominal");
+}
+
+/// What limits can be set to.
+Quantities quantities_of(const Pair& pair, const Scene& centre,
+                         const std::vector<Position>& positions, const ConicityCurve& conicity,
+                         double flange_back) {
+  Quantities all;
+  for (const Profile* profile : {&pair.wheel, &pair.rail}) {
+    for (const Dimension& one : measure(*profile, flange_back).dimensions) {
+      all[one.key] = {one.value.value_or(std::nan("")), 0.0, one.unit,
+                      one.label + ": " + one.definition};
+    }
+  }
+  const auto known = [](double spread) { return std::isnan(spread) ? 0.0 : spread; };
+  all["equivalent_conicity"] = {conicity.standard(), known(conicity.standard_spread()), "",
+                                "equivalent conicity at an amplitude of " +
+                                    general(standard_amplitude) + " mm"};
+  all["pmax_centred"] = {centre.number_or("left.pmax", std::nan("")),
+                         known(centre.number_or("left.spread.pmax", 0.0)), "MPa",
+                         "largest pressure, centred"};
+  Quantity& pmax = all["pmax"] = {std::nan(""), 0.0, "MPa", "largest pressure at any position"};
+  for (const Position& one : positions) {
+    pmax.value = std::fmax(pmax.value, one.pmax);
+  }
+  return all;
 }
 
 /// Script lines of a panel over the lateral position.
@@ -310,6 +370,15 @@ std::string report(const Options& options) {
   }
   const Pair pair(options.wheel, options.rail, options.assignments);
   refuse_varying(pair.scene(), "in a report");
+  std::vector<Limit> limits;
+  if (!options.limits.empty()) {
+    limits = read_limits(options.limits);
+  }
+  const auto nominal = [&pair](std::int32_t kind, const std::string& name) {
+    return name.empty() ? std::nullopt : std::optional(load_profile(pair.scene(), kind, name));
+  };
+  const std::optional<Profile> new_wheel = nominal(WRC_WHEEL, options.nominal_wheel);
+  const std::optional<Profile> new_rail = nominal(WRC_RAIL, options.nominal_rail);
   const std::vector<Position> positions = positions_of(pair, options.threads);
   const ConicityCurve conicity = conicity_of(pair);
   Scene centre = pair.scene();
@@ -336,10 +405,17 @@ std::string report(const Options& options) {
       conditions += (conditions.empty() ? "" : ", ") + key + " = " + shown(found->second);
     }
   }
-  page.paragraph("wrcontact " + std::string(wrc_version()) + "; mm, N, MPa, rad. " + conditions +
-                 '.');
+  page.paragraph(date_text() + ", wrcontact " + std::string(wrc_version()) + "; mm, N, MPa, rad. " +
+                 conditions + '.');
+  page.list({shorten("command: " + options.command), origin_text("wheel", options.wheel_name()),
+             origin_text("rail", options.rail_name())});
   page.heading("In brief");
   page.list(in_brief(centre, positions, conicity));
+  const double flange_back = -plain.get_number("wheelset.tape_offset");
+  if (!limits.empty()) {
+    page.heading("Limits");
+    page.table(limit_rows(limits, quantities_of(pair, centre, positions, conicity, flange_back)));
+  }
   add_warnings(page, positions, shorten);
   const PictureFolder folder;
   page.heading("Centred on the track");
@@ -348,6 +424,8 @@ std::string report(const Options& options) {
     page.picture(folder / "centre.png", "profiles in contact and pressures of both wheels");
     if (const auto rows = smoothing_rows(centre); !rows.empty()) {
       page.paragraph("What waves that are noise or shape make of it, by the smoothing:");
+      draw_smoothing(centre, folder / "smoothing.svg");
+      page.picture(folder / "smoothing.svg", "largest pressure over the smoothing wavelength");
       page.table(rows);
       page.list(lines_of(spread_warnings(centre)));
     }
@@ -356,9 +434,10 @@ std::string report(const Options& options) {
   }
   add_positions(page, folder, positions);
   add_conicity(page, folder, conicity);
-  add_profile(page, folder, pair.wheel, file_name(options.wheel_name()),
-              -plain.get_number("wheelset.tape_offset"), shorten);
-  add_profile(page, folder, pair.rail, file_name(options.rail_name()), 0.0, shorten);
+  add_profile(page, folder, pair.wheel, new_wheel ? &*new_wheel : nullptr,
+              file_name(options.wheel_name()), flange_back, shorten);
+  add_profile(page, folder, pair.rail, new_rail ? &*new_rail : nullptr,
+              file_name(options.rail_name()), 0.0, shorten);
   return page.text();
 }
 
@@ -371,10 +450,16 @@ int main(int argc, char** argv) {
       "wrc_report",
       "Makes one page about a wheel on a rail, to be opened in a browser or sent to others: "
       "dimensions, equivalent conicity, pressures and contact band over the lateral "
-      "position, warnings. It loads no other file.");
+      "position, limits, warnings. It loads no other file, and prints on A4.");
   Options options;
   app.add("WHEEL", options.wheel, "wheel, built-in name or file").type("NAME|FILE").required();
   app.add("RAIL", options.rail, "rail, built-in name or file").type("NAME|FILE").required();
+  app.add("--nominal-wheel", options.nominal_wheel, "new wheel to compare with").type("NAME|FILE");
+  app.add("--nominal-rail", options.nominal_rail, "new rail to compare with").type("NAME|FILE");
+  app.add("--limits", options.limits,
+          "limits to check: columns quantity, least, greatest, source; quantities are dimensions "
+          "as wrc_profile --json names them, equivalent_conicity, pmax_centred, pmax")
+      .type("FILE.csv");
   app.add("--page", options.page, "the page to write").type("FILE.html").show_default();
   app.add("--threads", options.threads, "number of threads; results do not depend on it")
       .within(1, 256)
@@ -387,9 +472,13 @@ int main(int argc, char** argv) {
   app.footer("\n" + standard_names_text() +
              "\nExamples:\n"
              "  wrc_report S1002 60E1\n"
-             "  wrc_report worn.prw 54E3 --page worn.html --set load.both=100000\n");
+             "  wrc_report worn.prw 54E3 --page worn.html --set load.both=100000\n"
+             "  wrc_report worn.prw 60E1 --nominal-wheel S1002 --limits limits.csv\n");
   return app.run(argc, argv, [&] {
-    refuse_overwriting({options.page}, files_of(options.wheel, options.rail));
+    auto inputs = files_of(options.wheel, options.rail);
+    inputs.emplace_back(options.limits);
+    refuse_overwriting({options.page}, inputs);
+    options.command = command_text(argc, argv);
     require_gnuplot();
     const std::string page = report(options);
     write_whole(options.page, [&](std::ostream& out) { out << page; });

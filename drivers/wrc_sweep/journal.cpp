@@ -77,7 +77,7 @@ bool take_body(std::string_view body, Row& row) {
   std::uint64_t patch_count = 0;
   if (!take(body, row.scene) || !take(body, row.status) || !take_all(body, row.message) ||
       !take_warnings(body, row.warnings) || !take_all(body, row.values) ||
-      !take(body, patch_count) || patch_count > body.size()) {
+      !take_all(body, row.page) || !take(body, patch_count) || patch_count > body.size()) {
     return false;
   }
   row.patches.assign(patch_count, {});
@@ -110,6 +110,7 @@ void append_bytes(const Row& row, std::string& bytes) {
     append(body, warning.grade);
   }
   append_all(body, row.values);
+  append_all(body, row.page);
   append(body, static_cast<std::uint64_t>(row.patches.size()));
   for (const PatchFields& patch : row.patches) {
     append(body, patch.side);

@@ -34,6 +34,7 @@ struct Row {
   std::vector<Warning> warnings;
   std::vector<double> values; ///< in the order of Study::results; NaN: there is none
   std::vector<PatchFields> patches;
+  std::string page; ///< what a page shows of the scene; empty without one
 };
 
 /// Grades of all warnings of a scene, and of those that concern each wheel.

@@ -24,6 +24,7 @@ struct Options {
   std::string folder = ".";
   std::string page;
   int threads = 1;
+  int digits = 6;
   bool resume = false;
   bool restart = false;
   bool progress = false;
@@ -54,8 +55,8 @@ A study is a scene file (wrc_case --help lists the keys) in which a key may have
   series = "wheelset.wheel"
   panels = [{y_label = "p_{max}, MPa", lines = [{result = "left.pmax", title = "left"}]}]
 
-All combinations are solved; the first key varies slowest. NAME.csv and NAME.nc (NetCDF-4) hold
-one row per scene with its status and warnings; if a scene cannot be solved, its row says why. The
+All combinations are solved; the first key varies slowest. NAME.csv (for people) and NAME.nc
+(NetCDF-4, all digits) hold one row per scene with its status and warnings; if a scene cannot be solved, its row says why. The
 files are identical to the last bit for any number of threads and ranks. Ctrl-C or a crash loses no
 finished scene: NAME.rows keeps them, and --resume continues. Exit code: 0, or 3 if no scene
 has the status ok, 130 after an interruption, another one if the study could not be run.
@@ -83,10 +84,17 @@ std::vector<fs::path> files_of(const driver::Study& study, const fs::path& folde
   return files;
 }
 
+driver::Study study_of(const Options& options) {
+  driver::Study study = driver::read_study(options.study_file, options.changes);
+  study.digits = options.digits;
+  study.for_page = !options.page.empty();
+  return study;
+}
+
 /// What rank 0 does before the first scene.
 void begin(const Options& options, std::optional<driver::Study>& study,
            std::optional<driver::Journal>& journal) {
-  study = driver::read_study(options.study_file, options.changes);
+  study = study_of(options);
   if (options.no_pictures) { // those with a table are that
     std::erase_if(study->pictures, [](driver::PictureRequest& picture) {
       picture.is_drawn = false;
@@ -101,6 +109,10 @@ void begin(const Options& options, std::optional<driver::Study>& study,
   const std::vector<fs::path> files = files_of(*study, folder);
   std::vector<fs::path> outputs = files;
   outputs.push_back(rows);
+  if (!options.page.empty()) {
+    driver::refuse_large_page(*study);
+    outputs.emplace_back(options.page);
+  }
   std::vector<fs::path> inputs;
   for (const driver::InputFile& input : study->inputs) {
     inputs.emplace_back(input.path);
@@ -144,6 +156,9 @@ int lead(const Options& options, const driver::Study& study, const driver::Ranks
   const std::vector<fs::path> files = files_of(study, folder);
   driver::write_csv(study, journal, files[0]);
   driver::write_netcdf(study, journal, files[1]);
+  if (!options.page.empty()) {
+    driver::write_page(study, journal, options.page);
+  }
   const driver::PictureData data(study, journal);
   std::ostringstream findings;
   for (const driver::PictureRequest& picture : study.pictures) {
@@ -158,6 +173,7 @@ int lead(const Options& options, const driver::Study& study, const driver::Ranks
     for (const fs::path& path : files) {
       std::cout << path.string() << '\n';
     }
+    std::cout << options.page << (options.page.empty() ? "" : "\n");
   }
   std::cerr << journal.warnings().text(driver::Ranks::program(), study.scene_count(),
                                        files[0].string());
@@ -165,27 +181,6 @@ int lead(const Options& options, const driver::Study& study, const driver::Ranks
   journal.remove();
   if (none_solved) {
     std::cerr << driver::Ranks::program() << ": no scene has the status ok; " << files[0].string()
-              << " has the message of each\n";
-    return unsolved_code;
-  }
-  return 0;
-}
-
-/// Returns the exit code.
-int make_page(const Options& options) {
-  const driver::Study study = driver::read_study(options.study_file, options.changes);
-  std::vector<fs::path> inputs;
-  for (const driver::InputFile& input : study.inputs) {
-    inputs.emplace_back(input.path);
-  }
-  driver::refuse_overwriting({options.page}, inputs);
-  const driver::PageSummary made = driver::write_page(study, options.threads, options.page);
-  if (!options.quiet) {
-    std::cout << options.page << '\n';
-  }
-  std::cerr << made.warnings.text(driver::Ranks::program(), study.scene_count(), options.page);
-  if (made.with_results == 0) {
-    std::cerr << driver::Ranks::program() << ": no scene has results; " << options.page
               << " has the message of each\n";
     return unsolved_code;
   }
@@ -215,16 +210,13 @@ int sweep(const Options& options, const driver::Ranks& ranks, bool& started) {
   if (options.resume && options.restart) {
     throw driver::Failure("--resume --restart: must be one of them");
   }
-  if (!options.page.empty()) {
-    return ranks.rank() == 0 ? make_page(options) : 0;
-  }
   driver::catch_interrupts();
   if (ranks.rank() > 0) {
     if (!ranks.agree(true)) {
       return 1;
     }
     started = true;
-    const driver::Study study = driver::read_study(options.study_file, options.changes);
+    const driver::Study study = study_of(options);
     driver::serve_study(study, options.threads, ranks);
     return 0;
   }
@@ -265,14 +257,16 @@ int main(int argc, char** argv) {
           "set one or more keys, overriding the study file; lists and ranges as in the file")
       .type("KEY=VALUE")
       .one_value_each();
-  app.add("--page", options.page,
-          "write a page for a browser, with a slider for each key, instead of tables")
+  app.add("--page", options.page, "write a page for a browser as well, with a slider for each key")
       .type("FILE");
+  app.add("--digits", options.digits, "digits of numbers in CSV files; 17: all that there are")
+      .within(1, 17)
+      .show_default();
   app.flag("--resume", options.resume, "continue an interrupted run, if there is one");
   app.flag("--restart", options.restart, "drop the rows of an interrupted run");
   app.flag("--progress", options.progress, "show progress even if stderr is not a terminal");
   app.flag("--quiet", options.quiet, "show warnings only, neither progress nor files written");
-  app.flag("--no-pictures", options.no_pictures, "write tables only");
+  app.flag("--no-pictures", options.no_pictures, "draw no pictures");
   app.flag("--list-results", options.list_results, "print the names of all results");
   app.flag("--list-studies", options.list_studies, "print the shipped studies");
   app.footer(footer);

@@ -316,36 +316,41 @@ void write_csv(const Study& study, Journal& journal, const std::filesystem::path
   for (const Axis& axis : study.axes) {
     keys.push_back(axis.key);
   }
-  std::vector<std::string> head = words("status message");
+  std::vector<std::string> last; // numbers, then texts
   const bool counts = !is_result(study, warning_count_name);
   const bool grades = !is_result(study, grade_name);
   if (grades) {
-    head.emplace_back(grade_name);
+    last.emplace_back(grade_name);
   }
   if (counts) {
-    head.emplace_back(warning_count_name);
+    last.emplace_back(warning_count_name);
   }
-  head.emplace_back("warnings");
-  CsvLine(out).add(words("scene")).add(keys).add(head).add(study.results);
+  CsvLine(out)
+      .add(words("scene"))
+      .add(keys)
+      .add(study.results)
+      .add(last)
+      .add(words("status message warnings"));
   for (std::int64_t scene = 0; scene < study.scene_count(); ++scene) {
     const Row row = journal.read(scene);
     const std::vector<std::size_t> places = study.places(scene);
     CsvLine line(out);
     line << scene;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      line << text_of(study.axes[i].values[places[i]]);
+      const Value& value = study.axes[i].values[places[i]];
+      const double* const number = std::get_if<double>(&value);
+      line << (number == nullptr ? text_of(value) : table_text(*number, study.digits));
     }
-    line << wrc_status_name(row.status) << row.message;
+    for (const double value : row.values) {
+      line << table_text(value, study.digits);
+    }
     if (grades) {
       line << grade_of(row.warnings);
     }
     if (counts) {
       line << row.warnings.size();
     }
-    line << joined_warnings(row.warnings);
-    for (const double value : row.values) {
-      line << text_of(value);
-    }
+    line << wrc_status_name(row.status) << row.message << joined_warnings(row.warnings);
   }
   file.commit();
 }

@@ -6,7 +6,6 @@
 
 #include "support/json.hpp"
 #include "support/output_file.hpp"
-#include "support/parallel.hpp"
 #include "wrc_sweep/page_html.hpp"
 #include "wrc_sweep/result_names.hpp"
 
@@ -109,30 +108,6 @@ json side(const Scene& scene, const std::string& name) {
   }
 }
 
-json solved(const Study& study, std::int64_t index) {
-  json made;
-  try {
-    Scene scene;
-    study.apply(index, scene);
-    scene.set("convention.units", "mm"); // those of the page, whatever those of the study
-    scene.set("convention.frame", "left-up");
-    if (!scene.solve()) {
-      made["message"] = wrc_scene_error(scene.handle());
-    }
-    made["warnings"] = scene.warnings();
-    made["grades"] = json::array(); // of the warnings
-    for (const Warning& warning : warnings_of(scene)) {
-      made["grades"].push_back(warning.grade);
-    }
-    for (const std::string& name : sides_of(scene)) {
-      made[name] = side(scene, name);
-    }
-  } catch (const std::exception& error) {
-    made["message"] = error.what();
-  }
-  return made;
-}
-
 /// JSON for a script inside HTML, where < in a text could begin a comment or element or end the
 /// script, and the separators U+2028 and U+2029 ended a line before ECMAScript 2019. In JSON all
 /// three occur in texts only.
@@ -162,23 +137,43 @@ json json_of(const Value& value) {
 
 } // namespace
 
-PageSummary write_page(const Study& study, int threads, const std::filesystem::path& path) {
+std::string page_text(Scene& scene) {
+  const std::string units = scene.get_text("convention.units");
+  const std::string frame = scene.get_text("convention.frame");
+  scene.set("convention.units", "mm"); // those of the page, whatever those of the study
+  scene.set("convention.frame", "left-up");
+  json made = json::object();
+  for (const std::string& name : sides_of(scene)) {
+    made[name] = side(scene, name);
+  }
+  scene.set("convention.units", units);
+  scene.set("convention.frame", frame);
+  return made.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+void refuse_large_page(const Study& study) {
   const std::int64_t count = study.scene_count();
   if (count > most_scenes_of_page) {
     throw Failure("--page: the study has " + std::to_string(count) +
                   " scenes; a page holds at most " + std::to_string(most_scenes_of_page));
   }
-  std::vector<json> scenes(static_cast<std::size_t>(count));
-  for_each_index(scenes.size(), threads,
-                 [&](std::size_t i) { scenes[i] = solved(study, static_cast<std::int64_t>(i)); });
-  PageSummary summary;
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    summary.with_results += scenes[i].contains("left") || scenes[i].contains("right") ? 1 : 0;
-    std::vector<Warning> warnings;
-    for (const std::string& text : scenes[i].value("warnings", std::vector<std::string>())) {
-      warnings.push_back({text, scenes[i].at("grades").at(warnings.size())});
+}
+
+void write_page(const Study& study, Journal& journal, const std::filesystem::path& path) {
+  json scenes = json::array();
+  for (std::int64_t index = 0; index < study.scene_count(); ++index) {
+    const Row row = journal.read(index);
+    json& scene = scenes.emplace_back(row.page.empty() ? json::object() : json::parse(row.page));
+    if (!row.message.empty()) {
+      scene["message"] = row.message;
     }
-    summary.warnings.add(static_cast<std::int64_t>(i), warnings);
+    if (!row.page.empty()) {
+      scene["warnings"] = scene["grades"] = json::array();
+      for (const Warning& warning : row.warnings) {
+        scene["warnings"].push_back(warning.text);
+        scene["grades"].push_back(warning.grade);
+      }
+    }
   }
   json data{{"title", study.title.empty() ? study.name : study.title},
             {"version", wrc_version()},
@@ -200,7 +195,6 @@ PageSummary write_page(const Study& study, int threads, const std::filesystem::p
   const std::string mark = "/* scenes */ null";
   page.replace(page.find(mark), mark.size(), within_script(data));
   write_whole(path, [&](std::ostream& out) { out << page; });
-  return summary;
 }
 
 } // namespace driver

@@ -2,22 +2,22 @@
 /// that varies: profiles, pressures and tractions, forces. One file, which loads nothing.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
+#include <string>
 
-#include "reports/warning_summary.hpp"
-#include "wrc_sweep/study.hpp"
+#include "wrc_sweep/journal.hpp"
 
 namespace driver {
 
-struct PageSummary {
-  WarningSummary warnings;
-  std::int64_t with_results = 0; ///< scenes that have any
-};
+/// What the page shows of a solved scene, as JSON, in mm, N and MPa. The scene's convention is
+/// changed meanwhile.
+std::string page_text(Scene& scene);
 
-/// Solves the scenes on `threads` threads and writes the page. A scene that cannot be solved shows
-/// why. Throws Failure for more scenes than a browser holds, or
-/// if the file cannot be written.
-PageSummary write_page(const Study& study, int threads, const std::filesystem::path& path);
+/// Throws Failure for more scenes than a browser holds.
+void refuse_large_page(const Study& study);
+
+/// The page of a study with Study::for_page that has been solved. A scene that could not be solved
+/// shows why. Throws Failure if the file cannot be written.
+void write_page(const Study& study, Journal& journal, const std::filesystem::path& path);
 
 } // namespace driver

@@ -36,14 +36,15 @@ ConicityCurve curve_of(const PictureRequest& picture, const PictureData& data,
   return curve;
 }
 
-void write_table(const std::vector<ConicityCurve>& curves, const std::filesystem::path& path) {
+void write_table(const std::vector<ConicityCurve>& curves, int digits,
+                 const std::filesystem::path& path) {
   OutputFile file(path);
   CsvLine(file.stream()).add(words("series amplitude equivalent_conicity spread message"));
   for (const ConicityCurve& curve : curves) {
     for (std::size_t i = 0; i < curve.amplitude.size(); ++i) {
       CsvLine(file.stream()) << curve.name << text_of(curve.amplitude[i])
-                             << text_of(curve.conicity[i])
-                             << (curve.spread.empty() ? "" : text_of(curve.spread[i]))
+                             << table_text(curve.conicity[i], digits)
+                             << (curve.spread.empty() ? "" : table_text(curve.spread[i], digits))
                              << curve.no_conicity[i];
     }
   }
@@ -60,7 +61,7 @@ void draw_conicity(const PictureRequest& picture, const PictureData& data,
     curves.push_back(curve_of(picture, data, entry));
     findings << curves.back().in_words(entry.shown) << '\n';
   }
-  write_table(curves, table);
+  write_table(curves, data.study().digits, table);
   if (!picture.is_drawn) {
     return;
   }

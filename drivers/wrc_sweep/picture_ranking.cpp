@@ -120,7 +120,7 @@ std::string heading_of(const PanelRequest& panel) {
 }
 
 void write_ranking(const std::vector<RankedEntry>& entries, const PictureRequest& picture,
-                   const std::filesystem::path& path) {
+                   int digits, const std::filesystem::path& path) {
   OutputFile file(path);
   std::vector<std::string> head = words("rank series");
   for (const PanelRequest& panel : picture.panels) {
@@ -134,7 +134,7 @@ void write_ranking(const std::vector<RankedEntry>& entries, const PictureRequest
     CsvLine line(file.stream());
     line << i + 1 << entries[i].entry.name;
     for (std::size_t k = 0; k < picture.panels.size(); ++k) {
-      line << text_of(entries[i].values[k].value);
+      line << table_text(entries[i].values[k].value, digits);
       if (picture.panels[k].statistic != "mean") {
         line << entries[i].values[k].at;
       }
@@ -180,7 +180,7 @@ void draw_ranking(const PictureRequest& picture, const PictureData& data,
     return std::isnan(b) ? !std::isnan(a) : a > b; // those without a value last
   };
   std::stable_sort(entries.begin(), entries.end(), before);
-  write_ranking(entries, picture, table);
+  write_ranking(entries, picture, data.study().digits, table);
   print_ranking(entries, picture, findings);
   if (!picture.is_drawn) {
     return;

@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "wrc_sweep/page.hpp"
 #include "wrc_sweep/result_names.hpp"
 
 namespace driver {
@@ -40,10 +41,13 @@ public:
   }
 
 private:
-  void read_results(Row& row) const {
+  void read_results(Row& row) {
     row.warnings = warnings_of(scene_);
     for (const std::string& name : study_.results) {
       row.values.push_back(result_of(scene_, name));
+    }
+    if (study_.for_page) {
+      row.page = page_text(scene_);
     }
     if (study_.fields.empty()) {
       return;

@@ -42,8 +42,8 @@ void run_study(const Study& study, int threads, const Ranks& ranks, Journal& jou
 /// Other ranks: solve what rank 0 hands out.
 void serve_study(const Study& study, int threads, const Ranks& ranks);
 
-/// One line per scene: number, the keys that vary, status, message, results. Fields are not in
-/// it.
+/// One line per scene: number, the keys that vary, results, grade and count of warnings, then
+/// texts: status, message, warnings. Fields are not in it.
 void write_csv(const Study& study, Journal& journal, const std::filesystem::path& path);
 /// NetCDF-4 (HDF5): a dimension for each key that varies, a variable for each result; fields of all
 /// patches one after the other, as a contiguous ragged array of the CF conventions.

@@ -1,12 +1,10 @@
 #include "wrc_sweep/study.hpp"
 
 #include <algorithm>
-#include <array>
 #include <iomanip>
 #include <sstream>
 
-#include <openssl/evp.h>
-
+#include "support/checksum.hpp"
 #include "support/input_file.hpp"
 
 namespace driver {
@@ -59,18 +57,7 @@ InputFile read_input(const std::string& path) {
 
 InputFile input_of(const std::string& path, std::string content) {
   InputFile input{path, std::move(content), ""};
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned size = 0;
-  if (EVP_Digest(input.content.data(), input.content.size(), digest.data(), &size, EVP_sha256(),
-                 nullptr) != 1) {
-    throw Failure("no SHA-256 sum of " + path);
-  }
-  std::ostringstream text;
-  text << std::hex << std::setfill('0');
-  for (unsigned i = 0; i < size; ++i) {
-    text << std::setw(2) << static_cast<int>(digest[i]);
-  }
-  input.sha256 = text.str();
+  input.sha256 = sha256_of(path, input.content);
   return input;
 }
 
@@ -135,6 +122,7 @@ std::string Study::fingerprint() const {
       text << std::quoted(one) << ' ';
     }
   }
+  text << (for_page ? "\npage" : "");
   for (auto input = inputs.begin() + 1; input != inputs.end(); ++input) {
     text << '\n' << std::quoted(input->path) << ' ' << input->sha256;
   }

@@ -84,6 +84,8 @@ struct Study {
   std::vector<std::string> fields;  ///< of each patch, as of wrc_scene_field
   std::vector<PictureRequest> pictures;
   std::vector<InputFile> inputs; ///< the study file, then profiles
+  int digits = 6;                ///< of numbers in tables; 17: all
+  bool for_page = false;         ///< rows hold what the page shows
 
   [[nodiscard]] std::int64_t scene_count() const;
   /// Which value of each axis a scene has.

@@ -21,7 +21,7 @@ STEP, STEPS = 1e-3, 600  # s
 scene = wrcontact.Scene(accuracy_of="forces", accuracy=1e-2, creep="fastsim", speed=SPEED)
 solver = wrcontact.Solver()
 lateral, yaw, lateral_rate, yaw_rate = 0.0, 0.0, 0.0, 0.0
-track = []
+steps = []
 for number in range(STEPS):
     place = number * STEP * SPEED / 1000.0  # m
     bump = 3.0 * np.exp(-((place - 1.5) / 0.4) ** 2)  # of the left rail, mm to the left
@@ -29,7 +29,7 @@ for number in range(STEPS):
               track_left_displacement=[bump, 0, 0])
     result = solver.solve(scene)
     force, moment = result.wheelset.force.y, result.wheelset.moment.z
-    track.append((place, bump, lateral, yaw, *(wheel.total.force.y / 1e3 for wheel in
+    steps.append((place, bump, lateral, yaw, *(wheel.total.force.y / 1e3 for wheel in
                                                (result.left, result.right))))
     # Semi-implicit Euler: rates first, then positions with the new rates.
     lateral_rate += STEP * (force - DAMPING * lateral_rate) / MASS
@@ -37,7 +37,7 @@ for number in range(STEPS):
     lateral += STEP * lateral_rate
     yaw += STEP * yaw_rate
 
-track = np.array(track)
+track = np.array(steps)
 farthest = track[np.argmax(np.abs(track[:, 2]))]
 print(f"farthest: {farthest[2]:.3f} mm at {farthest[0]:.2f} m")
 print(f"at the end: {lateral:.3f} mm, yaw {1e3 * yaw:.4f} mrad")

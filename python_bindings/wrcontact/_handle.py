@@ -23,6 +23,7 @@ class Handle:
     """A handle of the library, destroyed with the object. `_kind` is its name in wrcontact.h."""
 
     _kind = ""
+    _instead = "make another one where it is needed"
 
     def __init__(self) -> None:
         place = ffi.new(f"wrc_{self._kind} **")
@@ -36,11 +37,11 @@ class Handle:
     def __reduce__(self) -> tuple[Any, ...]:
         """Not pickled, and copied by copy.copy only where a class says how: a copy would be an alias."""
         raise TypeError(f"a wrcontact.{type(self).__name__} cannot be copied or pickled: it holds a handle of the "
-                        "library; make another one where it is needed")
+                        f"library; {self._instead}")
 
     def _check(self, status: int) -> None:
         if status != 0:
-                raise error_of(status, string(self._error(self._handle)))
+            raise error_of(status, string(self._error(self._handle)))
 
     def _copied(self, function: Any, *arguments: Any) -> Array:
         """Values that a function copies as wrc_scene_field does: first their number, then the values."""

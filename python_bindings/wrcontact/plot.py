@@ -11,8 +11,10 @@ from ._library import Array
 from .errors import InvalidArgument
 
 if TYPE_CHECKING:
+    from .conicity import Conicity
     from .profile import Profile
-    from .result import Group, Result
+    from ._names import Patch
+    from .result import Result
 
 _RAIL, _WHEEL, _PLANE = "#8b5a2b", "#1f4e9e", "#c00000"
 _ADHESION, _SLIP = "#cfe2f3", "#f6c7b6"
@@ -62,6 +64,23 @@ def draw_profile(profile: Profile, path: str | os.PathLike[str] | None, ax: Any 
     return _save(figure, path)
 
 
+def draw_conicity(conicity: Conicity, path: str | os.PathLike[str] | None, ax: Any = None) -> Any:
+    if ax is None:
+        figure, ((axes,),) = _figure(1, 1, (7.0, 4.0))
+    else:
+        figure, axes = ax.figure, ax
+    known = np.isfinite(conicity.conicity)
+    amplitude, value = conicity.amplitude[known], conicity.conicity[known]
+    spread = np.nan_to_num(conicity.spread[known])
+    axes.plot(amplitude, value, color=_WHEEL)
+    if spread.any():
+        axes.fill_between(amplitude, value - spread, value + spread, color=_ADHESION, label="95 of 100 cases")
+        axes.legend()
+    axes.set(xlabel="amplitude, mm", ylabel="equivalent conicity", xlim=(0.0, None), ylim=(0.0, None))
+    axes.grid(color="#dddddd")
+    return _save(figure, path)
+
+
 def draw_result(result: Result, path: str | os.PathLike[str] | None) -> Any:
     """Profiles, pressures and, where there are creep forces, tractions of each wheel."""
     sides = [side for side in ("left", "right") if side in result._groups]
@@ -107,7 +126,7 @@ def _same_scale(all_axes: Iterable[Any], turned: bool) -> None:
             axes.invert_xaxis()
 
 
-def _patches(result: Result, side: str) -> list[Group]:
+def _patches(result: Result, side: str) -> list[Patch]:
     return list(result[side].patches) if f"{side}.patches" in result._groups else []
 
 
@@ -142,7 +161,7 @@ def _draw_outlines(axes: Any, result: Result, side: str, units: list[str]) -> No
     axes.legend(loc="upper left", fontsize="small")
 
 
-def _developed(patches: list[Group]) -> dict[str, float]:
+def _developed(patches: list[Patch]) -> dict[str, float]:
     """Positions at which the references of patches are drawn, by their distances from each other."""
     ordered = sorted(patches, key=lambda patch: float(patch.y))
     places, place = {}, 0.0
@@ -153,7 +172,7 @@ def _developed(patches: list[Group]) -> dict[str, float]:
     return {prefix: place - main for prefix, place in places.items()}
 
 
-def _in_plane(patch: Group, y: Array, z: Array) -> Array:
+def _in_plane(patch: Patch, y: Array, z: Array) -> Array:
     """Along the plane of a patch, from its reference."""
     along: Array = (y - patch.y) * np.cos(patch.plane_angle) + (z - patch.z) * np.sin(patch.plane_angle)
     return along

@@ -3,7 +3,8 @@ from __future__ import annotations
 
 import os
 import weakref
-from typing import Any, NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,10 +13,15 @@ from ._handle import Handle, encoded
 from ._interface import ffi
 from ._library import Array, doubles, lib, pointer, string
 from .errors import InvalidArgument
+from .measures import Comparison, Dimensions, comparison_of, dimensions_of
+
+if TYPE_CHECKING:
+    from .conicity import Conicity
 
 _KINDS = {"wheel": lib.WRC_WHEEL, "rail": lib.WRC_RAIL}
 _ORIGINS = {"auto": 0, "tape": lib.WRC_ORIGIN_TAPE, "flange-back": lib.WRC_ORIGIN_FLANGE_BACK}
 _SMOOTHINGS = {"none": -1, "auto": -2}  # WRC_SMOOTHING_NONE, WRC_SMOOTHING_AUTO
+_TAPE_OFFSET = 70.0  # mm, flange back to taping line
 _kept_alive: weakref.WeakKeyDictionary[Any, Any] = weakref.WeakKeyDictionary()  # texts of structs
 
 
@@ -73,6 +79,11 @@ def _made_by(function: Any, arguments: tuple[Any, ...], options: dict[str, Any])
 class Profile(Handle):
     """A wheel or rail: built in (`Profile("60E1")`) or from a file (`Profile("worn.prr")`).
 
+    >>> wheel = Profile.from_file("worn.prw").align("S1002")
+    >>> wheel.dimensions["flange_height"]            # mm
+    >>> wheel.compare(Profile("S1002")).largest      # mm
+    >>> wheel.conicity(Profile("60E1")).value        # at an amplitude of 3 mm
+
     Files are columns, Simpack .prr/.prw, MiniProf .ban/.whl and slices .slcs/.slcw. Options, as in
     wrc_read_options of wrcontact.h: kind ("wheel", "rail"), mirror_lateral and mirror_height (-1, 0,
     1), strict, scale (mm per unit of the file), smoothing_wavelength (mm, 0: none; "auto": as the
@@ -88,8 +99,18 @@ class Profile(Handle):
         super().__init__()
         self._made: tuple[Any, ...] = (Profile, (os.fspath(name),), options)
         if options or lib.wrc_profile_load_standard(self._handle, encoded(name)) != 0:
+            self._made = (Profile.from_file, (os.fspath(name),), options)
             self._check(lib.wrc_profile_load_file(self._handle, encoded(name),
                                                   _read_options(options)))
+
+    @classmethod
+    def from_file(cls, path: str | os.PathLike[str], **options: Any) -> Profile:
+        """A profile from a file, also if its name is that of a built-in one; options as above."""
+        profile = cls.__new__(cls)
+        Handle.__init__(profile)
+        profile._made = (Profile.from_file, (os.fspath(path),), options)
+        profile._check(lib.wrc_profile_load_file(profile._handle, encoded(path), _read_options(options)))
+        return profile
 
     @classmethod
     def from_points(cls, kind: str, lateral: ArrayLike, height: ArrayLike, *, name: str = "points",
@@ -170,6 +191,56 @@ class Profile(Handle):
         for index, one in enumerate(arcs.ravel()):
             self._check(lib.wrc_profile_at(self._handle, one, *(place + index for place in places)))
         return ProfilePoint(*values.reshape(4, *np.shape(arc)))
+
+    @property
+    def dimensions(self) -> Dimensions:
+        """Dimensions by name: flange height, thickness, qR, conicity; or head widths, crown radius. mm.
+
+        The flange back is at the `tape_offset` that the profile was read with, 70 mm if none was given.
+        """
+        return dimensions_of(self, self._made[2].get("tape_offset") or _TAPE_OFFSET)
+
+    def compare(self, other: Profile) -> Comparison:
+        """Normal distance to another profile, both in their own frame: `align` lays one on the other first."""
+        def differences() -> Dimensions:
+            own, others = self.dimensions, other.dimensions
+            own.update({name: value - others[name] for name, value in own.items()})
+            return own
+
+        return comparison_of(self, other, differences)
+
+    def conicity(self, rail: Profile | str, amplitudes: Sequence[float] | Array | None = None,
+                 **keys: Any) -> Conicity:
+        """Equivalent conicity of a wheelset with this wheel on a track with a rail, as EN 15302 has it.
+
+        amplitudes: mm, 0.5 to 12 if not given. keys: of the scene, such as track_gauge=1437, inclination="1:20". Takes
+        0.2 s; of measured profiles, whose noise makes it uncertain, some seconds.
+        """
+        from .conicity import conicity_of
+
+        rail = rail if isinstance(rail, Profile) else Profile(rail)
+        if (self.kind, rail.kind) != ("wheel", "rail"):
+            raise InvalidArgument(f"{self.name} is a {self.kind}, {rail.name} a {rail.kind}; must be a wheel, and a rail")
+        return conicity_of(self, rail, amplitudes, keys)
+
+    def smooth(self, wavelength: float | str) -> Profile:
+        """The points smoothed: waves of this length, mm, are halved; 0: not at all, "auto": as their noise needs."""
+        return self._again(smoothing_wavelength=wavelength)
+
+    def align(self, to: str | os.PathLike[str] | Profile) -> Profile:
+        """The points laid on another profile, built in or of a file, where they are not worn."""
+        if isinstance(to, Profile):
+            if to._made[0] == Profile.from_points or to._made[2]:
+                raise InvalidArgument(f"to is {to.name}, made from points or with options; must be a built-in name or "
+                                      "a file: Profile.write makes one")
+            to = to._made[1][0]
+        return self._again(align_to=to)
+
+    def _again(self, **options: Any) -> Profile:
+        made, arguments, before = self._made
+        if made == Profile:
+            raise InvalidArgument(f"{self.name} is built in; only points of a file or of your own are smoothed and aligned")
+        return _made_by(made, arguments, {**before, **options})
 
     def write(self, path: str | os.PathLike[str], spacing: float = 0.1) -> None:
         """Writes two columns, or .prr/.prw, of points `spacing` mm apart. FileUnreadable."""

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Iterator
 from html import escape
 from typing import TYPE_CHECKING, Any
@@ -12,20 +13,40 @@ from ._handle import encoded
 from ._interface import ffi
 from ._library import Array, lib, pointer, string
 from ._warnings import GRADES, Graded, graded_warnings_of, warnings_of
+from ._meanings import MEANINGS
 from .errors import NoResult, UnknownName
 
 if TYPE_CHECKING:
+    from ._names import ResultNames
     from .scene import Scene
+else:
+    ResultNames = object
 
 # Which fields are on which grid (docs/results.md, "Fields"); all others on that of pressures.
 _ON_CREEP_GRID = ("creep_", "traction_", "slip_", "frictional_")
+
+_COUNTS = re.compile(r"(.*\.)?(\w+_count|grade|state|solutions|iterations|(creep_)?convolutions|regions|lobes"
+                     r"|(creep_)?grid\.(lateral|longitudinal))")
+
+
+def is_count(name: str) -> bool:
+    """Whether a result is a whole number."""
+    return _COUNTS.fullmatch(name) is not None
+
+
+def long_name_of(name: str) -> str:
+    """What a result is, for labels: "left pmax: largest pressure of all patches"; the name if nobody has said it."""
+    plain = re.sub(r"\.parts\.\d+\.", ".", re.sub(r"^right\.", "left.", name))
+    general = re.sub(r"\.\d+(?=\.|$)", ".N", plain)
+    meaning = MEANINGS.get(general) or MEANINGS.get(general.replace("patches.N.", ""))
+    return f"{name.replace('.', ' ')}: {meaning}" if meaning else name.replace(".", " ")
 
 
 class Group:
     """Results whose names begin alike: `result.left`, `result.left.patches[0]`.
 
-    Attributes and `group["patches.0.pmax"]` give numbers (float), texts (str), fields (arrays), or
-    further groups; a list such as `left.patches` has a length and can be gone through. dir() names
+    Attributes and `group["patches.0.pmax"]` give numbers (float; int if they count), texts (str), fields
+    (arrays), or further groups; a list such as `left.patches` has a length and can be gone through. dir() names
     what there is but fields, which docs/results.md lists. Fields of a patch are two-dimensional,
     rows across the rail from the track centre to the field side, columns along it; those of stresses
     have a row for each depth. Each access copies a field out of the library once. Of a patch, x, y
@@ -52,13 +73,18 @@ class Group:
             raise IndexError(f"{self._prefix[:-1]} has {len(self)} entries, there is no {name}")
         return result._value(full)
 
-    def __getattr__(self, name: str) -> Any:
-        if not name.startswith("_"):
-            try:
-                return self[name]
-            except UnknownName as error:
-                raise AttributeError(str(error)) from None
-        raise AttributeError(name)
+    if not TYPE_CHECKING:  # _names.pyi lists them
+        def __getattr__(self, name: str) -> Any:
+            if not name.startswith("_"):
+                try:
+                    return self[name]
+                except UnknownName as error:
+                    raise AttributeError(str(error)) from None
+            raise AttributeError(name)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """With all of its result, if that is frozen."""
+        return Group, (self._result, self._prefix)
 
     def field(self, name: str) -> Array:
         """A field by name, also where a number has the same one. UnknownName, NoResult."""
@@ -92,7 +118,7 @@ class Group:
         return f"<{self._prefix[:-1]}\n  " + "\n  ".join(lines) + ">"
 
 
-class Result(Group):
+class Result(Group, ResultNames):
     """The solution of a scene: `result["left.pmax"]` or `result.left.pmax`.
 
     Names, units and signs: docs/results.md. A result is read from its scene, which it keeps alive;
@@ -122,14 +148,14 @@ class Result(Group):
     def _number_or_none(self, name: str) -> float | None:
         number = ffi.new("double *")
         found: bool = lib.wrc_scene_number(self._live(), encoded(name), number) == 0
-        return float(number[0]) if found else None
+        return _as_counted(name, number[0]) if found else None
 
     def _value(self, name: str) -> Any:
         handle, code = self._live(), encoded(name)
         number = ffi.new("double *")
         status = lib.wrc_scene_number(handle, code, number)
         if status == 0:
-            return number[0]
+            return _as_counted(name, number[0])
         if status == lib.WRC_UNKNOWN_NAME:
             text = ffi.new("const char **")
             if lib.wrc_scene_text(handle, code, text) == 0:
@@ -206,7 +232,7 @@ class Result(Group):
 
     def __reduce__(self) -> tuple[Any, ...]:
         raise TypeError("a wrcontact.Result is read from its scene and cannot be copied or pickled; "
-                        "result.freeze() can")
+                        "result.freeze() can: send that")
 
     def to_dict(self) -> dict[str, float | str]:
         """All numbers and texts by name: a copy, which stays when the scene is solved again."""
@@ -232,7 +258,8 @@ class Result(Group):
         """All patches as a pandas DataFrame: rows (wheel, patch), columns by the names of results.
 
         Patches are those of `left.patches` and `right.patches`, in their order; a result that a patch
-        does not have is not-a-number. `frame.attrs["units"]` holds the unit of each column.
+        does not have is not-a-number. `frame.attrs["units"]` holds the unit of each column,
+        `frame.attrs["long_name"]` what it is.
         """
         import pandas
 
@@ -248,6 +275,8 @@ class Result(Group):
         frame = pandas.DataFrame(list(rows.values()), index=index)
         frame.attrs["units"] = {column: unit_of(self.scene, f"left.patches.0.{column}")
                                 for column in frame.columns}
+        frame.attrs["long_name"] = {column: long_name_of(f"left.patches.0.{column}").partition(": ")[2]
+                                    for column in frame.columns}
         return frame
 
     def plot(self, path: str | os.PathLike[str] | None = None, *, ax: Any = None,
@@ -310,7 +339,7 @@ class FrozenResult(Result):
 
     def _number_or_none(self, name: str) -> float | None:
         value = self._kept.get(name)
-        return value if isinstance(value, float) else None
+        return None if isinstance(value, str) else value
 
     def _value(self, name: str) -> Any:
         return self._kept[name] if name in self._kept else self._field(name, b"")
@@ -327,6 +356,10 @@ class FrozenResult(Result):
     def warnings(self) -> list[str]:
         """As those of the result."""
         return [text for _, text in self._warnings]
+
+
+def _as_counted(name: str, value: float) -> float:
+    return int(value) if np.isfinite(value) and is_count(name) else value
 
 
 def unit_of(scene: Scene, name: str) -> str:

@@ -4,10 +4,11 @@ from __future__ import annotations
 import inspect
 import os
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+import threading
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from html import escape
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -20,6 +21,10 @@ from .errors import InvalidArgument, NoResult, UnknownName, error_of
 from .profile import Profile
 from .result import Result
 
+if TYPE_CHECKING:
+    from ._names import SceneKeywords, solve as solve
+else:
+    SceneKeywords = Handle
 
 _WITH_RESULT = (0, lib.WRC_NOT_CONVERGED)
 
@@ -94,7 +99,7 @@ def _rank(key: str) -> int:
     return 0 if key.startswith("convention.") else 2 if key.rpartition(".")[2].lower() in _OPTIONS else 1
 
 
-class Scene(Handle):
+class Scene(SceneKeywords):
     """Both wheels of a wheelset on their rails: inputs by key, solved by `solve`.
 
     >>> scene = Scene(lateral=3, rail="60E1")     # the rest as in the paper's Table 1
@@ -114,12 +119,28 @@ class Scene(Handle):
 
     _kind = "scene"
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__()
-        self._solutions = 0
-        # What has been set, in this order, so that a copy is set to the same bits.
-        self._given: dict[tuple[str, int], Any] = {}
-        self.set(**values)
+    if not TYPE_CHECKING:  # _names.pyi lists the keywords
+        def __init__(self, **values: Any) -> None:
+            Handle.__init__(self)
+            self._solutions = 0
+            # What has been set, in this order, so that a copy is set to the same bits.
+            self._given: dict[tuple[str, int], Any] = {}
+            self.set(**values)
+
+        def set(self, **values: Any) -> Scene:
+            """Sets keys in the order given, those of `convention` first, options of profiles last; returns the scene.
+
+            If one is refused, those before it stay set; a key named twice is refused before any is set.
+            UnknownName, InvalidArgument.
+            """
+            named = [(key_of(word), value) for word, value in values.items()]
+            refuse_doubled(values)
+            for key, value in sorted(named, key=lambda pair: _rank(pair[0])):
+                self[key] = value
+            return self
+
+    _solutions: int
+    _given: dict[tuple[str, int], Any]
 
     def __reduce__(self) -> tuple[Any, ...]:
         """A scene is pickled and copied by the values of its keys, without its result."""
@@ -128,18 +149,6 @@ class Scene(Handle):
     def _ipython_key_completions_(self) -> list[str]:
         return list(keys())
 
-    def set(self, **values: Any) -> Scene:
-        """Sets keys in the order given, those of `convention` first, options of profiles last; returns the scene.
-
-        If one is refused, those before it stay set; a key named twice is refused before any is set.
-        UnknownName, InvalidArgument.
-        """
-        named = [(key_of(word), value) for word, value in values.items()]
-        refuse_doubled(values)
-        for key, value in sorted(named, key=lambda pair: _rank(pair[0])):
-            self[key] = value
-        return self
-
     def __setitem__(self, key: str, value: Any) -> None:
         key = key_of(key)
         code, given = encoded(key), value
@@ -147,6 +156,13 @@ class Scene(Handle):
             for name in sorted(value, key=lambda name: str(name).lower() != "file"):  # its options are behind it
                 self[f"{key}.{name}"] = value[name]
             return
+        if isinstance(value, (float, int, str)):
+            pass  # most values
+        elif getattr(value, "ndim", None) == 0 and not isinstance(value, np.generic):
+            value = given = np.asarray(value)[()]  # an array of one value without a dimension
+        elif varies(key, value):
+            raise InvalidArgument(f"{key} has {np.size(value)} values and takes one; wrcontact.solve takes arrays, "
+                                  "and wrcontact.study all combinations")
         if value is None or isinstance(value, (bool, np.bool_)):
             value = "none" if value is None else "yes" if value else "no"
         if isinstance(value, (int, float, np.number)):
@@ -193,7 +209,7 @@ class Scene(Handle):
         solution is a ContactWarning, and in Result.warnings; an error estimate up to twice the
         accuracy is an AccuracyNote.
         """
-        return self._solved(lib.wrc_scene_solve(self._handle))
+        return self._solved(lib.wrc_solver_solve(_kept_solver(self._given), self._handle))
 
     def _solved(self, status: int, warns: bool = True) -> Result:
         if status not in _WITH_RESULT:
@@ -279,9 +295,82 @@ def values_of(scene: Scene) -> dict[str, str | float | Array]:
     return values
 
 
-def solve(**values: Any) -> Result:
-    """Solves a scene with these keys: `wrcontact.solve(lateral=3, rail="60E1").left.pmax`."""
-    return Scene(**values).solve()
+class _Kept(threading.local):
+    """Of each thread: a solver, which keeps surfaces from one scene to the next, and the files it has read."""
+
+    solver: Any = None
+    files: dict[str, tuple[int, ...]] = {}
+
+
+_kept = _Kept()
+
+
+def _kept_solver(given: Mapping[tuple[str, int], Any]) -> Any:
+    """The handle of this thread's solver, cleared if one of the scene's files is not what it was."""
+    if _kept.solver is None:
+        place = ffi.new("wrc_solver **")
+        status = lib.wrc_solver_create(place)
+        if status != 0:
+            raise error_of(status)
+        _kept.solver, _kept.files = ffi.gc(place[0], lib.wrc_solver_destroy), {}
+    for (key, _), value in given.items():
+        if key.endswith(("wheel", "rail", "align_to")) and isinstance(value, (str, os.PathLike)):
+            for word in re.split(r";|=", os.fspath(value)):  # a file, and that of the option align_to
+                path = word.strip()
+                try:
+                    facts = os.stat(path)
+                except (OSError, ValueError):
+                    continue
+                now = (facts.st_mtime_ns, facts.st_size, facts.st_ino)
+                if _kept.files.setdefault(path, now) != now:
+                    lib.wrc_solver_clear(_kept.solver)
+                    _kept.files = {path: now}
+    return _kept.solver
+
+
+def varies(key: str, value: Any) -> bool:
+    """Whether a value is many values for a key that takes one."""
+    if key not in keys() or isinstance(value, (str, bytes, Mapping, Profile, os.PathLike)) or np.ndim(value) == 0:
+        return False
+    allowed = keys()[key].allowed
+    if "profile file" in allowed:
+        return True
+    if all(isinstance(one, str) for one in np.ravel(value)):  # solve.results takes a list of words
+        return "list of them" not in allowed and not isinstance(value, (list, tuple))
+    return not allowed.startswith("[")
+
+
+#: What `solve` returns of arrays, unless its argument `outputs` names others.
+USUAL_RESULTS = ("rolling_radius_difference", *(f"{side}.{name}" for side in ("left", "right") for name in (
+    "pmax", "area", "vertical_force", "lateral_force", "rigid_contact.angle", "rigid_contact.rolling_radius",
+    "patch_count", "error_estimate")))
+
+
+if not TYPE_CHECKING:  # _names.pyi lists the keywords
+    def solve(*, outputs: Sequence[str] | str | None = None, progress: Callable[[float], object] | None = None,
+              **values: Any) -> Any:
+        """Solves a scene with these keys: `wrcontact.solve(lateral=3, rail="60E1").left.pmax`.
+
+        Numbers and profiles may be arrays: of NumPy and lists, which fit as NumPy broadcasts them, or of xarray and pandas
+        by their dimensions. Then the result is an xarray Dataset (without xarray a dict of arrays) of `outputs`, names
+        of numbers, as that of `study`, which combines all values with all:
+
+        >>> data = wrcontact.solve(lateral=np.linspace(-5, 5, 101), outputs=["left.pmax"])
+        >>> data["left.pmax"].plot()
+
+        It uses all processors, or `threads` of them; results do not depend on the number. progress: called with the
+        fraction that is done.
+        """
+        many = {word: value for word, value in values.items() if varies(key_of(word), value)}
+        if many:
+            from .study import solve_arrays
+
+            rest = {word: value for word, value in values.items() if word not in many}
+            threads = next((int(rest.pop(word)) for word in list(rest) if key_of(word) == "solve.threads"), None)
+            return solve_arrays(many, USUAL_RESULTS if outputs is None else outputs, threads, progress, rest)
+        if outputs is not None or progress is not None:
+            raise InvalidArgument("outputs and progress are for arrays of values; of one scene all results can be read")
+        return Scene(**values).solve()
 
 
 def _signature_of_keys(*before: inspect.Parameter) -> inspect.Signature:

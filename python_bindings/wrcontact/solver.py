@@ -11,7 +11,7 @@ from ._handle import Handle, encoded
 from ._interface import ffi
 from ._library import Array, doubles, lib, pointer
 from ._warnings import Graded, graded_warnings_of, warn_of_many
-from .errors import Error, InvalidArgument, error_of
+from .errors import Error, InvalidArgument, NoResult, error_of
 from .result import Result
 from .scene import Scene
 
@@ -20,10 +20,8 @@ class Step(NamedTuple):
     """Forces of both wheels at a position and velocity (wrc_solver_step).
 
     force: [2, 6], of the left and the right wheel: force x, y, z (N) and moment x, y, z (N mm) about
-    the wheelset's centre. by_position, by_velocity: [2, 6, 6] or None: [wheel, k, i] is the
-    derivative of component i by coordinate k. states: [2], flags of left.state. by_rail,
-    by_rail_velocity: [2, 3, 6] or None: by lateral, vertical and roll displacement of the wheel's own
-    rail, and by their rates.
+    the wheelset's centre. states: [2], flags of left.state. Derivatives are None unless they were asked for.
+    jacobian() has them in the usual order, a row for each component.
     """
 
     force: Array
@@ -32,6 +30,25 @@ class Step(NamedTuple):
     states: NDArray[np.int32]
     by_rail: Array | None = None
     by_rail_velocity: Array | None = None
+
+    def jacobian(self) -> Array:
+        """[2, 6, 12], [wheel, component, coordinate]: derivatives of `force` by x, y, z, roll, pitch, yaw and their rates.
+
+        NoResult without derivatives: step(..., derivatives=True).
+        """
+        if self.by_position is None or self.by_velocity is None:
+            raise NoResult("this step has no derivatives; step(..., derivatives=True) computes them")
+        both: Array = np.concatenate([self.by_position, self.by_velocity], axis=1)
+        return both.transpose(0, 2, 1)
+
+
+# The docstrings that editors and help() show.
+for _name, _text in (
+        ("by_position", "[2, 6, 6], [wheel, coordinate, component]: derivative of the force by x, y, z, roll, pitch, yaw."),
+        ("by_velocity", "[2, 6, 6], [wheel, coordinate, component]: derivative of the force by their rates."),
+        ("by_rail", "[2, 3, 6], [wheel, coordinate, component]: by lateral, vertical, roll of the wheel's own rail."),
+        ("by_rail_velocity", "[2, 3, 6], [wheel, coordinate, component]: by their rates.")):
+    getattr(Step, _name).__doc__ = _text
 
 
 class Equilibrium(NamedTuple):
@@ -48,6 +65,7 @@ class History(Handle):
     """
 
     _kind = "history"
+    _instead = "send the positions and velocities of its steps, and take them again there; copy.copy copies it here"
 
     def accept(self) -> None:
         """Lets later steps start from the state after the last one."""

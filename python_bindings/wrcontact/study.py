@@ -1,8 +1,9 @@
 """Studies: many scenes as an xarray Dataset."""
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+import os
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
@@ -10,20 +11,25 @@ from ._handle import encoded
 from ._interface import ffi
 from ._library import doubles, lib, pointer, string
 from ._warnings import GRADES, Graded, warn_of_many, worst_of
-from .errors import Error
+from .errors import Error, InvalidArgument
 from .scene import Scene, key_of, keys, refuse_doubled, values_of
-from .result import unit_of
+from .result import long_name_of, unit_of
 from .solver import solve_without_warning, warnings_of_outcome
 
 if TYPE_CHECKING:
     import xarray
 
+    from ._names import study as study
+
+Progress = Union[Callable[[float], object], None]
+
 # Scenes that are solved in one call and hold their results at the same time.
 _SCENES_AT_ONCE = 512
+_SCENES_A_REPORT = 64  # of them between two reports of progress
 
 
-def study(parameters: Mapping[str, Any], results: Sequence[str] = ("left.pmax", "right.pmax"), *,
-          threads: int = 1, separator: str = ".", **values: Any) -> xarray.Dataset:
+def _study(parameters: Mapping[str, Any], results: Sequence[str] | str = ("left.pmax", "right.pmax"), *,
+           threads: int = 1, separator: str = ".", progress: Progress = None, **values: Any) -> xarray.Dataset:
     """Solves every combination of the values of keys; results by name as an xarray Dataset.
 
     >>> data = study({"lateral": range(-6, 7), "rail": ["60E1", "56E1"]}, ["left.pmax"], threads=2)
@@ -33,11 +39,10 @@ def study(parameters: Mapping[str, Any], results: Sequence[str] = ("left.pmax", 
     its name; ("case", values) puts it on the dimension "case" instead, shared with others of equal
     length, for scenes drawn at random. results: names of numbers (docs/results.md); not-a-number
     without contact. separator: what stands for the points in names of the Dataset; with "_" they are
-    attributes: `data.left_pmax.sel(track_rail="60E1")`. Further keywords are keys with one value. All in the units of `values`, mm, N,
-    MPa, rad by default.
+    attributes: `data.left_pmax.sel(track_rail="60E1")`. progress: called with the fraction that is done. Further
+    keywords are keys with one value. All in the units of `values`, mm, N, MPa, rad by default.
 
-    Each result has its unit as attribute `units`, each key that varies as well (if it is one number), and its meaning as
-    `long_name`. The
+    Every variable has a `long_name`, and `units` if it is a number. The
     Dataset has besides `status` and `message` of each scene (0: solved; an exception's status and text),
     `grade` (0 fine, 1 a little over, 2 do not use), `warning_count` and `warnings` (texts, separated by " | "), and all keys that do not vary as
     attributes. A scene that fails is not raised; each kind of warnings is a ContactWarning with the
@@ -50,28 +55,100 @@ def study(parameters: Mapping[str, Any], results: Sequence[str] = ("left.pmax", 
     varied = {key_of(word): column for word, column in parameters.items()}
     arrays = {key: _column(key, column) for key, column in varied.items()}
     grid = xarray.broadcast(*arrays.values()) if arrays else ()
-    shape = grid[0].shape if grid else ()
-    columns = {key: array.values.ravel() for key, array in zip(arrays, grid)}
-    table, statuses, messages, warned = _solve_all(columns, int(np.prod(shape)), results, threads, values)
-    dims = grid[0].dims if grid else ()
+    return _dataset(arrays, grid, results, threads, separator, progress, values)
+
+
+def solve_arrays(varied: Mapping[str, Any], outputs: Sequence[str] | str, threads: int | None, progress: Progress,
+                 values: Mapping[str, Any]) -> Any:
+    """scene.solve for keys with arrays of values."""
+    refuse_doubled([*varied, *values])
+    columns = {key_of(word): value for word, value in varied.items()}
+    count = threads or len(os.sched_getaffinity(0))
+    labelled = {key for key, value in columns.items() if hasattr(value, "to_xarray") or hasattr(value, "dims")}
+    if labelled and len(labelled) < len(columns):
+        raise InvalidArgument(f"{', '.join(sorted(labelled))} has dimensions with names, "
+                              f"{', '.join(sorted(columns.keys() - labelled))} has none; either all must have them, or none")
+    try:
+        import xarray
+    except ImportError:
+        plain = {key: _as_column(np.asarray(value)) for key, value in columns.items()}
+        shape, flat = _flat(plain)
+        return {name: array for name, (_, array, _) in _variables(
+            (), shape, flat, outputs, count, progress, values).items()} | dict(zip(plain, _broadcast(plain)))
+    if labelled:
+        arrays = {key: value if hasattr(value, "dims") else value.to_xarray() for key, value in columns.items()}
+        try:
+            arrays = dict(zip(arrays, xarray.align(*arrays.values(), join="exact")))
+        except ValueError as error:
+            raise InvalidArgument(f"{', '.join(arrays)} do not have the same coordinates: {error}") from error
+    else:
+        plain = {key: _as_column(np.asarray(value)) for key, value in columns.items()}
+        full = _broadcast(plain)
+        dims = (([next(iter(plain))] if len(plain) == 1 else ["case"]) if full[0].ndim == 1
+                else [f"axis_{axis}" for axis in range(full[0].ndim)])
+        arrays = {key: xarray.DataArray(array, dims=dims) for key, array in zip(plain, full)}
+    return _dataset(arrays, xarray.broadcast(*arrays.values()), outputs, count, ".", progress, values)
+
+
+def _broadcast(plain: Mapping[str, Any]) -> list[Any]:
+    try:
+        return list(np.broadcast_arrays(*plain.values()))
+    except ValueError:
+        shapes = ", ".join(f"{key} has the shape {array.shape}" for key, array in plain.items())
+        raise InvalidArgument(f"{shapes}; they must fit as NumPy broadcasts them (study combines all with all)") from None
+
+
+def _flat(plain: Mapping[str, Any]) -> tuple[tuple[int, ...], dict[str, Any]]:
+    full = _broadcast(plain)
+    return full[0].shape, {key: array.ravel() for key, array in zip(plain, full)}
+
+
+def _as_column(array: Any) -> Any:
+    """Numbers as float, everything else as objects."""
+    return array.astype(float if np.issubdtype(array.dtype, np.number) else object)
+
+
+def _variables(dims: Any, shape: tuple[int, ...], columns: Mapping[str, Any], results: Sequence[str] | str, threads: int,
+               progress: Progress, values: Mapping[str, Any]) -> dict[str, tuple[Any, Any, dict[str, Any]]]:
+    """Results, statuses and warnings by name: dimensions, values, attributes."""
+    results = [results] if isinstance(results, str) else list(results)
+    table, statuses, messages, warned = _solve_all(columns, int(np.prod(shape)), results, threads, progress, values)
     plain = Scene(**values)
-    variables: dict[str, Any] = {
-        name: (dims, table[:, index].reshape(shape), {"units": unit_of(plain, name)})
-        for index, name in enumerate(results)}
-    variables["status"] = (dims, statuses.reshape(shape))
-    variables["message"] = (dims, messages.reshape(shape))
+
+    def variable(column: Any, long_name: str, **attributes: Any) -> tuple[Any, Any, dict[str, Any]]:
+        return dims, column.reshape(shape), {"long_name": long_name, **attributes}
+
+    found = {name: variable(table[:, index], long_name_of(name), units=unit_of(plain, name))
+             for index, name in enumerate(results)}
+    found["status"] = variable(statuses, "status: 0 solved, otherwise that of the exception", units="1")
+    found["message"] = variable(messages, "text of the exception")
     counts = np.array([len(texts) for texts in warned], dtype=np.int32)
-    variables.setdefault("warning_count", (dims, counts.reshape(shape)))
+    found.setdefault("warning_count", variable(counts, "number of warnings", units="1"))
     grades = np.array([worst_of(graded) for graded in warned], dtype=np.int32)
-    variables.setdefault("grade", (dims, grades.reshape(shape), {
-        "flag_values": list(range(len(GRADES))),
-        "flag_meanings": " ".join(name.replace(" ", "_") for name in GRADES)}))
-    texts = np.array([" | ".join(text for _, text in graded) for graded in warned], dtype=object)
-    variables["warnings"] = (dims, texts.reshape(shape))
+    found.setdefault("grade", variable(
+        grades, "how far the numbers can be used", units="1", flag_values=list(range(len(GRADES))),
+        flag_meanings=" ".join(name.replace(" ", "_") for name in GRADES)))
+    found["warnings"] = variable(np.array([" | ".join(text for _, text in graded) for graded in warned], dtype=object),
+                                 "warnings")
     warn_of_many(warned)
-    coordinates = {key: (array.dims, [_told(value) for value in array.values],
-                         {"long_name": keys()[key].meaning if key in keys() else key, **_units(key, plain, array.values)})
-                   for key, array in arrays.items()}
+    return found
+
+
+def _dataset(arrays: Mapping[str, Any], grid: Sequence[Any], results: Sequence[str] | str, threads: int, separator: str,
+             progress: Progress, values: Mapping[str, Any]) -> xarray.Dataset:
+    """All scenes of a grid of values; `arrays` as they are given, `grid` all with the same dimensions."""
+    import xarray
+
+    columns = {key: array.values.ravel() for key, array in zip(arrays, grid)}
+    dims, shape = (grid[0].dims, grid[0].shape) if grid else ((), ())
+    plain = Scene(**values)
+    variables = _variables(dims, shape, columns, results, threads, progress, values)
+    coordinates: dict[str, Any] = {}
+    for array in arrays.values():
+        coordinates.update(getattr(array, "coords", {}))
+    coordinates.update({key: (array.dims, np.reshape([_told(value) for value in array.values.ravel()], array.shape),
+                              {"long_name": keys()[key].meaning if key in keys() else key, **_units(key, plain, array.values)})
+                        for key, array in arrays.items()})
     attributes = {"source": f"wrcontact {string(lib.wrc_version())}", **_constant(arrays, values)}
     data = xarray.Dataset(variables, coordinates, attributes)
     names = {str(name) for name in [*data.variables, *data.dims] if "." in str(name)}
@@ -94,9 +171,7 @@ def _column(key: str, values: Any) -> Any:
     shared = isinstance(values, tuple) and len(values) == 2 and isinstance(values[0], str)
     dim, column = values if shared and not isinstance(values[1], str) else (key, values)
     items = list(column)
-    array = np.empty(len(items), dtype=object)
-    for index, item in enumerate(items):
-        array[index] = item
+    array = _objects(items)
     if all(isinstance(item, (int, float, np.number)) for item in items):
         array = array.astype(float)
     return xarray.DataArray(array, dims=[dim])
@@ -111,7 +186,7 @@ def _constant(arrays: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str,
     """All keys that no varied one changes, with their values: "track.rail" changes those of the sides."""
     found: dict[str, Any] = dict(values_of(Scene(**values)))
     for key, array in arrays.items():
-        for value in array.values[[0, -1]] if array.size else ():
+        for value in array.values.ravel()[[0, -1]] if array.size else ():
             probe = Scene(**values)
             probe[key] = value
             others: dict[str, Any] = dict(values_of(probe))
@@ -122,15 +197,16 @@ def _constant(arrays: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str,
 
 
 def _solve_all(columns: Mapping[str, Any], count: int, results: Sequence[str], threads: int,
-               values: Mapping[str, Any]) -> tuple[Any, Any, Any, list[list[Graded]]]:
+               progress: Progress, values: Mapping[str, Any]) -> tuple[Any, Any, Any, list[list[Graded]]]:
     """A row of results, a status, a text and warnings for each scene."""
     table = np.full((count, len(results)), np.nan)
     statuses, messages = np.zeros(count, dtype=np.int32), np.full(count, "", dtype=object)
     warned: list[list[Graded]] = [[] for _ in range(count)]
-    scenes = [Scene(**values) for _ in range(min(count, _SCENES_AT_ONCE))]
+    at_once = _SCENES_AT_ONCE if progress is None else _SCENES_A_REPORT
+    scenes = [Scene(**values) for _ in range(min(count, at_once))]
     result_ids = _ids(results, "number")
     set_row = _setter(columns)
-    for start in range(0, count, _SCENES_AT_ONCE):
+    for start in range(0, count, at_once):
         part = list(zip(range(start, count), scenes))
         for row, scene in part:
             set_row(scene, row)
@@ -143,7 +219,16 @@ def _solve_all(columns: Mapping[str, Any], count: int, results: Sequence[str], t
                     continue
             scene._check(lib.wrc_scene_numbers_by_id(
                 scene._handle, pointer(result_ids, "int32_t"), pointer(table[row]), len(results)))
+        if progress is not None:
+            progress(min(1.0, (start + at_once) / count))
     return table, statuses, messages, warned
+
+
+def _objects(items: Sequence[Any]) -> Any:
+    array = np.empty(len(items), dtype=object)
+    for index, item in enumerate(items):
+        array[index] = item
+    return array
 
 
 def _ids(names: Sequence[str], kind: str) -> Any:
@@ -176,3 +261,8 @@ def _setter(columns: Mapping[str, Any]) -> Any:
             scene._handle, pointer(ids, "int32_t"), pointer(rows[row]), len(ids)))
 
     return set_numbers
+
+
+if not TYPE_CHECKING:  # _names.pyi lists the keywords
+    study = _study
+    study.__name__ = study.__qualname__ = "study"

@@ -46,6 +46,7 @@ class Table(Handle):
     """
 
     _kind = "table"
+    _instead = "send the file that Table.save writes"
 
     def build(self, scene: Scene, *, lateral: float = 0.0, roll: float = 0.0, yaw: float = 0.0,
               load: float = 0.0, tolerance: float = 0.0, fineness: float = 0.0, threads: int = 1,

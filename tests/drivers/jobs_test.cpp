@@ -81,8 +81,9 @@ TEST_F(Jobs, ConicityOfOneRailIsInWords) {
 
 TEST_F(Jobs, AFleetIsRanked) {
   NEEDS_GNUPLOT();
-  const std::string out = succeed("fleet --wheels S1002 measured/wheel.txt nowhere.whl LMA --rails "
-                                  "60E1 --set 'pose.lateral=[-3, 0, 3]' --threads 2 --out o");
+  const std::string out =
+      succeed("fleet --wheels S1002 measured/wheel.txt nowhere.whl LMA --rails "
+              "60E1 --set 'pose.lateral=[-3, 0, 3]' --threads 2 --digits 17 --out o");
   const CsvTable ranking = table("o/fleet_ranking.csv");
   const CsvTable scenes = table("o/fleet.csv");
   ASSERT_EQ(ranking.row_count(), 4U);
@@ -191,7 +192,10 @@ TEST_F(Jobs, AReportShowsThePressuresOfWrcCase) {
             std::string::npos)
       << pmax;
   ASSERT_EQ(run(WRC_REPORT_PROGRAM, "S1002 60E1 --page b.html --quiet").exit_code, 0);
-  EXPECT_EQ(page, read("b.html")) << "threads do not change a bit";
+  const auto without_origin = [](const std::string& text) {
+    return text.substr(0, text.find("<p>")) + text.substr(text.find("<h2>"));
+  };
+  EXPECT_EQ(without_origin(page), without_origin(read("b.html"))) << "threads do not change a bit";
 }
 
 TEST_F(Jobs, AReportRefusesMistakes) {

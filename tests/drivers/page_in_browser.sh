@@ -19,7 +19,7 @@ longitudinal = 0.001
 [solve]
 creep = "full"
 END
-"$sweep" "$folder/s.toml" --page "$folder/page.html" --quiet
+"$sweep" "$folder/s.toml" --out "$folder/s" --page "$folder/page.html" --quiet
 # What a hand does.
 {
   cat "$folder/page.html"
@@ -60,7 +60,7 @@ wheel = ["evil/<img src=x onerror=document.body.id='ran'><!--\"'</script><script
 title = "</script><script>document.body.id='ran'</script> <!-- <script> {pose.yaw}"
 END
 status=0
-"$sweep" "$folder/names.toml" --page "$folder/names.html" --quiet >"$folder/log" 2>&1 || status=$?
+"$sweep" "$folder/names.toml" --out "$folder/names" --page "$folder/names.html" --quiet >"$folder/log" 2>&1 || status=$?
 if [ "$status" -ne 3 ]; then
   echo "a study without results ends with $status instead of 3:"
   cat "$folder/log"
@@ -90,7 +90,7 @@ lateral = [0, 0.003, 0.1]
 [solve]
 accuracy = 1e-2
 END
-"$sweep" "$folder/rails.toml" --page "$folder/rails.html" --quiet
+"$sweep" "$folder/rails.toml" --out "$folder/rails" --page "$folder/rails.html" --quiet
 {
   cat "$folder/rails.html"
   echo '<script>
@@ -103,6 +103,14 @@ END
     };
     const course = document.getElementById("course"), pressures = document.querySelectorAll("#left canvas")[1];
     const outputs = () => [...document.querySelectorAll("output")].map(one => one.textContent).join(" at ");
+    const chosen = (id, place) => { element(id).selectedIndex = place; element(id).dispatchEvent(new Event("change")); };
+    report.push(`over ${element("over").value}`); // of numbers, though names come first
+    let joined = 0;
+    const lineTo = CanvasRenderingContext2D.prototype.lineTo;
+    CanvasRenderingContext2D.prototype.lineTo = function(...place) { ++joined; lineTo.apply(this, place); };
+    drawCourse(course);
+    report.push(`${joined > 0 ? "lines" : "no lines"}`);
+    chosen("over", 0);
     move(0, 1);
     move(1, 0);
     report.push(outputs());
@@ -113,9 +121,7 @@ END
     report.push(document.getElementById("message").textContent.slice(0, 58), document.getElementById("left.title").textContent);
     document.dispatchEvent(new KeyboardEvent("keydown", {key: " "}));
     report.push(document.querySelector("button").getAttribute("aria-label"));
-    let joined = 0;
-    const lineTo = CanvasRenderingContext2D.prototype.lineTo;
-    CanvasRenderingContext2D.prototype.lineTo = function(...place) { ++joined; lineTo.apply(this, place); };
+    document.dispatchEvent(new KeyboardEvent("keydown", {key: " "}));
     move(1, 0);
     joined = 0;
     drawCourse(course);
@@ -124,13 +130,69 @@ END
   </script>'
 } >"$folder/rails_used.html"
 "$chromium" "${options[@]}" --dump-dom "file://$folder/rails_used.html" 2>"$folder/log" >"$folder/dom"
-expected="b/worn.txt at 0 m; y # mm, x # mm: # MPa; b/worn.txt: left #, right #; Not solved: wheel off the rail: no part of the wheel profi; left wheel: no result; stop; 0 lines"
+expected="over pose.lateral; lines; b/worn.txt at 0 m; y # mm, x # mm: # MPa; b/worn.txt: left #, right #; Not solved: wheel off the rail: no part of the wheel profi; left wheel: no result; stop; 0 lines"
 if ! grep -qF "<title>$expected</title>" "$folder/dom"; then
   echo "a page of files shows: $(grep -oE '<title>.*</title>' "$folder/dom")"
   echo "expected: $expected"
   exit 1
 fi
-# A report of a wheel with such a name: shown as it is, and all five pictures are there.
+# By keys alone, by a click, by the address; scales; a title of the state; nothing wider than 390 px, and colours by night.
+cat >"$folder/state.toml" <<'END'
+[wheelset]
+wheel = ["S1002", "LM"]
+[pose]
+lateral = [-2, 0, 2, 6]
+[solve]
+accuracy = 1e-2
+[study]
+title = "at {pose.lateral} mm, {load.both} N"
+END
+"$sweep" "$folder/state.toml" --out "$folder/state" --page "$folder/state.html" --quiet >"$folder/log" 2>&1
+{
+  cat "$folder/state.html"
+  echo '<script>
+    const report = [], course = element("course"), outputs = () => [...document.querySelectorAll("output")].map(one => one.textContent).join(", ");
+    const type = key => course.dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true, cancelable: true}));
+    course.focus();
+    report.push(document.activeElement === course ? "focus" : "no focus", outputs());
+    type("End"); type("ArrowLeft");
+    report.push(outputs(), document.title, decodeURIComponent(location.hash));
+    const study = highest;
+    element("scale").selectedIndex = 1;
+    element("scale").dispatchEvent(new Event("change"));
+    report.push(highest < study ? "own scale" : "same scale");
+    const place = drawCourse(course).view.to(-2, 0)[0], click = new MouseEvent("click");
+    Object.defineProperties(click, {offsetX: {value: place}, offsetY: {value: 100}});
+    course.onclick(click);
+    report.push(outputs());
+    report.push(`${Math.max(document.documentElement.scrollWidth, document.body.scrollWidth) <= innerWidth ? "fits" : "too wide"} ${innerWidth}`);
+    report.push(getComputedStyle(document.body).backgroundColor, ink());
+    dispatchEvent(new Event("beforeprint"));
+    report.push(ink());
+    document.title = report.join("; ");
+  </script>'
+} >"$folder/state_used.html"
+for width in 390 1150; do
+  echo "<iframe id=frame width=$width height=2000 src='state_used.html#wheelset.wheel=S1002&pose.lateral=0%20mm'></iframe>
+    <script>onload = () => setTimeout(() => { document.title = frame.contentDocument.title; }, 100);</script>" >"$folder/frame.html"
+  for night in 1 0; do # 0 is dark
+    "$chromium" "${options[@]}" --allow-file-access-from-files "--blink-settings=preferredColorScheme=$night" --virtual-time-budget=5000 \
+      --dump-dom "file://$folder/frame.html" 2>"$folder/log" >"$folder/dom"
+    colours="rgb(255, 255, 255); #222"
+    [ "$night" = 1 ] || colours="rgb(24, 24, 24); #ddd"
+    expected="focus; S1002, 0 mm; S1002, 2 mm; at 2 mm, 80000 N; #wheelset.wheel=S1002&amp;pose.lateral=2 mm&amp;show=pmax&amp;over=pose.lateral; own scale; S1002, -2 mm; fits $width; $colours; #222"
+    if ! grep -qF "<title>$expected</title>" "$folder/dom"; then
+      echo "a page $width pixels wide shows: $(grep -oE '<title>.*</title>' "$folder/dom")"
+      echo "expected: $expected"
+      exit 1
+    fi
+  done
+done
+if grep -oE '(src|href)="?[^" >]+' "$folder/state.html" | grep -v 'data:'; then
+  echo "the page asks for another file"
+  exit 1
+fi
+# A report of a wheel with such a name: shown as it is, and all six pictures are there.
 hostile="x<img src=x onerror=document.body.id='ran'>.prw"
 "${sweep%sweep}profile" S1002 --convert "$folder/$hostile" >"$folder/log" 2>&1
 "${sweep%sweep}report" "$folder/$hostile" 60E1 --page "$folder/report.html" --set solve.accuracy=0.1 --quiet
@@ -144,11 +206,32 @@ hostile="x<img src=x onerror=document.body.id='ran'>.prw"
 } >"$folder/report_counted.html"
 "$chromium" "${options[@]}" --dump-dom "file://$folder/report_counted.html" 2>"$folder/log" >"$folder/dom"
 if ! grep -qF "<h1>x&lt;img src=x onerror=document.body.id='ran'&gt;.prw on 60E1</h1>" "$folder/dom" ||
-  ! grep -qF "<title>5 pictures</title>" "$folder/dom" || grep -q '<body id=' "$folder/dom"; then
+  ! grep -qF "<title>6 pictures</title>" "$folder/dom" || grep -q '<body id=' "$folder/dom"; then
   echo "a report shows:"
   grep -oE '<body[^>]*>|<h1.*</h1>|<title>.*' "$folder/dom" || true
   exit 1
 fi
+# A report fits a screen of 390 pixels and, as it is printed, the 680 pixels between the margins of A4.
+"${sweep%sweep}report" S1002 60E1 --page "$folder/plain.html" --set solve.accuracy=0.1 --nominal-wheel LM --quiet
+for width in 390 680; do
+  {
+    [ "$width" = 390 ] && grep -v Content-Security-Policy "$folder/plain.html"
+    [ "$width" = 680 ] && grep -v Content-Security-Policy "$folder/plain.html" | sed 's/@media print/@media all/'
+    echo '<script>
+      const root = document.documentElement;
+      const cut = [...document.querySelectorAll("table, img")].filter(one => one.getBoundingClientRect().right > innerWidth + 1);
+      const hidden = innerWidth === 680 ? [...document.querySelectorAll("table")].filter(one => one.scrollWidth > one.clientWidth + 1) : [];
+      document.title = `${root.scrollWidth <= innerWidth ? "fits" : "too wide"} ${innerWidth}, ${cut.length + hidden.length} cut`;
+    </script>'
+  } >"$folder/narrow.html"
+  echo "<iframe id=frame width=$width height=2000 src='narrow.html'></iframe>
+    <script>onload = () => { document.title = frame.contentDocument.title; };</script>" >"$folder/frame.html"
+  "$chromium" "${options[@]}" --allow-file-access-from-files --virtual-time-budget=5000 --dump-dom "file://$folder/frame.html" 2>"$folder/log" >"$folder/dom"
+  if ! grep -qF "<title>fits $width, 0 cut</title>" "$folder/dom"; then
+    echo "a report $width pixels wide: $(grep -oE '<title>.*</title>' "$folder/dom")"
+    exit 1
+  fi
+done
 if [ -n "$picture" ]; then
   "$chromium" "${options[@]}" "--screenshot=$picture" "file://$folder/moved.html" 2>"$folder/log"
 fi

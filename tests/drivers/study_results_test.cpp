@@ -86,5 +86,17 @@ TEST_F(StudyResults, TitlesShowValuesOfDefaultKeys) {
   EXPECT_NE(read("p.html").find("S1002 on 60E1, gauge 1435, p_{max}"), std::string::npos);
 }
 
+TEST_F(StudyResults, APageWithoutAnyResultIsAFailure) {
+  write("s.toml", "[pose]\nlateral = [99, 100]\n");
+  const Outcome none = run("s.toml --page p.html");
+  EXPECT_EQ(none.exit_code, 3);
+  EXPECT_NE(none.error.find("no scene has the status ok; ./s.csv has the message of each"),
+            std::string::npos)
+      << none.error;
+  EXPECT_NE(read("p.html").find("wheel off the rail"), std::string::npos);
+  write("s.toml", "[pose]\nlateral = [0, 100]\n[load]\nboth = 0\n");
+  EXPECT_EQ(run("s.toml --page p.html").exit_code, 0);
+}
+
 } // namespace
 } // namespace study_results_test

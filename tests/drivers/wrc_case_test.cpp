@@ -198,6 +198,15 @@ TEST_F(WrcCase, CsvHasOneLinePerSide) {
     return std::count(line.begin(), line.end(), ',');
   };
   EXPECT_TRUE(head.starts_with("side,roll,vertical,patches,"));
+  EXPECT_TRUE(head.ends_with(",grade,warning_count,warnings")) << "texts stand last";
+  const double roll = run_json(small + "pose.lateral=2").at("roll").get<double>();
+  const auto roll_of = [](const std::string& text) {
+    return std::stod(text.substr(text.find("\nleft,") + 6));
+  };
+  EXPECT_EQ(roll_of(run(small + "pose.lateral=2 --csv --digits 17").out), roll);
+  const double rounded = roll_of(run(small + "pose.lateral=2 --csv").out);
+  EXPECT_NE(rounded, roll);
+  EXPECT_NEAR(rounded, roll, 1e-5 * std::abs(roll));
   for (const char* column : {"centroid.y", "pressure_moment.x", "convolutions", "solutions"}) {
     EXPECT_NE((head + ',').find(',' + std::string(column) + ','), std::string::npos) << column;
   }

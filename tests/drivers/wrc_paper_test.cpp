@@ -10,9 +10,9 @@ protected:
   /// One study, coarse, into a folder.
   void sweep(const std::string& name, const std::string& folder,
              const std::string& options = "--set solve.accuracy=0.1") const {
-    const Outcome outcome =
-        run(WRC_SWEEP_PROGRAM, std::string("'") + WRC_STUDIES + "/" + name + ".toml' --threads 2 " +
-                                   options + " --out " + folder);
+    const Outcome outcome = run(WRC_SWEEP_PROGRAM, std::string("'") + WRC_STUDIES + "/" + name +
+                                                       ".toml' --digits 17 --threads 2 " + options +
+                                                       " --out " + folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   }
   /// The line of the report about a statement.

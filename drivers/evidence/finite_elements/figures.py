@@ -213,7 +213,7 @@ def library_measures(case: Case, scene: Scene, pose: dict[str, float], force: fl
     """The library's solution of the scene that the finite elements have."""
     import wrcontact
 
-    keys = {**scene.keys, "lateral": pose["lateral"], "roll": pose["roll"], "load_both": force}
+    keys: dict[str, Any] = {**scene.keys, "lateral": pose["lateral"], "roll": pose["roll"], "load_both": force}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", wrcontact.ContactWarning)
         _, left = library_figures(keys, "pressures", 1e-3, curved)

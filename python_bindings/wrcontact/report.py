@@ -1,0 +1,324 @@
+"""One page about a wheel on a rail, for a browser: it loads nothing, and prints on A4."""
+from __future__ import annotations
+
+import base64
+import csv
+import datetime
+import hashlib
+import io
+import math
+import os
+import warnings
+from collections.abc import Mapping, Sequence
+from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Union
+
+import numpy as np
+
+from ._library import lib, string
+from ._warnings import GRADES
+from .conicity import STANDARD
+from .errors import ContactWarning, Error, InvalidArgument
+from .profile import Profile
+from .scene import Scene, key_of, solve
+
+if TYPE_CHECKING:
+    from .result import Result
+
+Limits = Union[Mapping[str, "tuple[float | None, float | None]"], str, "os.PathLike[str]", None]
+
+_REACH, _STEP = 6.0, 0.5  # mm, positions on both sides
+_SMOOTHINGS = (0, 3, 5, 8, 15)  # mm
+_OF_PAIRS = {"equivalent_conicity": ("1", "equivalent conicity at an amplitude of 3 mm"),
+             "pmax_centred": ("MPa", "largest pressure, centred"),
+             "pmax": ("MPa", "largest pressure at any position")}
+# As that of the programs (drivers/support/html.cpp).
+_HEAD = """<!DOCTYPE html>
+<html lang="en">
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">
+<meta name="viewport" content="width=device-width">
+<style>
+:root { color-scheme: light dark; }
+body { font: 15px sans-serif; margin: 1em auto; max-width: 960px; padding: 0 1em; overflow-wrap: anywhere; }
+h1 { font-size: 1.4em; }
+h2 { font-size: 1.15em; margin-top: 1.6em; border-bottom: 1px solid #8888; }
+img { max-width: 100%; height: auto; display: block; margin: .6em 0; background: #fff; }
+table { border-collapse: collapse; margin: .6em 0; display: block; overflow-x: auto; overflow-wrap: normal; }
+td, th { padding: .2em .6em; border-bottom: 1px solid #8885; text-align: left; vertical-align: top; font-weight: normal; }
+td:last-child:not(.number) { min-width: 11em; overflow-wrap: anywhere; }
+.number { text-align: right; font-variant-numeric: tabular-nums; }
+td.number { white-space: nowrap; }
+.fail { color: #c00000; font-weight: bold; }
+@media (prefers-color-scheme: dark) { .fail { color: #ff8080; } }
+@media print { @page { size: A4; margin: 15mm; } body { max-width: none; margin: 0; padding: 0; font-size: 10pt; }
+  table { display: table; width: 100%; } td, th { padding: .15em .3em; } img, tr { break-inside: avoid; } h2 { break-after: avoid; } }
+</style>
+"""
+
+
+class _Page:
+    def __init__(self, title: str) -> None:
+        self.parts = [f"{_HEAD}<title>{escape(title)}</title>\n<h1>{escape(title)}</h1>\n"]
+
+    def add(self, tag: str, text: str) -> None:
+        self.parts.append(f"<{tag}>{escape(text)}</{tag}>\n")
+
+    def listed(self, items: Sequence[str]) -> None:
+        self.parts.append("<ul>" + "".join(f"<li>{escape(item)}</li>\n" for item in items) + "</ul>\n")
+
+    def table(self, rows: Sequence[Sequence[Any]]) -> None:
+        """The first row has the titles; numbers are given with their decimals as (value, decimals)."""
+        numeric = [isinstance(cell, tuple) for cell in (rows[1] if len(rows) > 1 else rows[0])]
+        for number, row in enumerate(rows):
+            tag = "th" if number == 0 else "td"
+            cells = (f"<{tag}{' class=number' if is_number else ' class=fail' if cell == 'fail' else ''}>"
+                     f"{escape(_shown(cell))}</{tag}>" for cell, is_number in zip(row, numeric))
+            self.parts.append(("<table>\n" if number == 0 else "") + f"<tr>{''.join(cells)}</tr>\n")
+        self.parts.append("</table>\n")
+
+    def picture(self, figure: Any, meaning: str) -> None:
+        file = io.BytesIO()
+        figure.savefig(file, dpi=110, bbox_inches="tight")
+        code = base64.b64encode(file.getvalue()).decode()
+        self.parts.append(f'<img alt="{escape(meaning)}" src="data:image/png;base64,{code}">\n')
+
+
+def _shown(cell: Any) -> str:
+    if not isinstance(cell, tuple):
+        return str(cell)
+    value, decimals = cell
+    return "-" if value is None or math.isnan(value) else f"{value:.{decimals}f}"
+
+
+def _origin(profile: Profile) -> str:
+    """The file of a profile and its checksum, or that it is built in."""
+    made, arguments, options = profile._made
+    words = "".join(f", {name} = {value}" for name, value in options.items())
+    if made == Profile.from_file:
+        digest = hashlib.sha256(Path(arguments[0]).read_bytes()).hexdigest()
+        return f"{profile.kind}: {Path(arguments[0]).name}{words}; SHA-256 {digest}"
+    if made == Profile:
+        return f"{profile.kind}: {profile.name}, built in"
+    digest = hashlib.sha256(np.concatenate(arguments[1:]).tobytes()).hexdigest()
+    return f"{profile.kind}: {profile.name}, points of the program{words}; SHA-256 of their doubles {digest}"
+
+
+def limits_of(limits: Limits, known: Sequence[str]) -> list[tuple[str, float | None, float | None, str]]:
+    """Quantity, least, greatest and source: of a file with these columns, or of a dict. InvalidArgument."""
+    if limits is None:
+        return []
+    if isinstance(limits, Mapping):
+        rows: list[Any] = [(name, *pair, "the caller") for name, pair in limits.items()]
+    else:
+        with open(limits, encoding="utf-8", newline="") as file:
+            table = csv.DictReader(file)
+            try:
+                rows = [(row["quantity"], *(float(row[side]) if row[side] else None for side in ("least", "greatest")),
+                         row["source"] or "") for row in table]
+            except (KeyError, TypeError, ValueError) as error:
+                raise InvalidArgument(f"{os.fspath(limits)}: must have the columns quantity, least, greatest, source, "
+                                      f"numbers or nothing in the second and third ({error})") from error
+    for name, *_ in rows:
+        if name not in known:
+            raise InvalidArgument(f"limits: {name!r} is no quantity of a report; must be one of {', '.join(known)}")
+    return rows
+
+
+def verdict(value: float, spread: float, least: float | None, greatest: float | None) -> str:
+    """pass, fail, or what is between: a limit within the spread, or no value."""
+    if math.isnan(value):
+        return "not known"
+    low, high = -math.inf if least is None else least, math.inf if greatest is None else greatest
+    if not low <= value <= high:
+        return "fail"
+    return "pass" if low <= value - spread and value + spread <= high else "pass, within its spread of the limit"
+
+
+def report(wheel: Profile | str, rail: Profile | str, path: str | os.PathLike[str] = "report.html", *,
+           nominal_wheel: Profile | str | None = None, nominal_rail: Profile | str | None = None, limits: Limits = None,
+           **keys: Any) -> Path:
+    """Writes one page about a wheel on a rail, to be opened in a browser, printed on A4 or sent to others.
+
+    Dimensions, beside those of nominal profiles, equivalent conicity with its spread, pressures and contact points over the
+    lateral position, largest pressure over the smoothing wavelength, warnings; date, version and checksums of files. limits: a
+    dict such as {"flange_height": (27, 36), "pmax": (None, 2500)}, or a file with the columns quantity, least, greatest,
+    source. keys: of all scenes. Returns the path.
+    """
+    values: dict[str, Any] = {"accuracy": 1e-2, **keys}
+    for word in keys:
+        if key_of(word) in ("wheelset.wheel", "track.rail", "pose.lateral", "solve.side", "convention.units", "convention.frame"):
+            raise InvalidArgument(f"{word}: the report sets {key_of(word)} itself")
+    pair = [one if isinstance(one, Profile) else Profile(one) for one in (wheel, rail)]
+    nominal = [Profile(one) if isinstance(one, str) else one for one in (nominal_wheel, nominal_rail)]
+    conicity = pair[0].conicity(pair[1], **values)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ContactWarning)  # they are in the page
+        centre = _solved(wheel=pair[0], rail=pair[1], **values)
+        lateral = np.arange(-_REACH, _REACH + 0.5 * _STEP, _STEP)
+        positions: dict[str, Any] = {str(name): array for name, array in solve(
+            lateral=lateral, wheel=pair[0], rail=pair[1], outputs=[f"left.{name}" for name in (
+                "pmax", "area", "rigid_contact.angle", "rigid_contact.rolling_radius", "rigid_contact.s_wheel",
+                "rigid_contact.t_rail")], **values).items()}
+    facts = _facts(pair, conicity, centre, np.asarray(positions["left.pmax"]))
+    page = _Page(" on ".join(Path(one.name).name for one in pair))
+    shown = ", ".join(f"{key} = {value}" for key, value in keys.items())
+    page.add("p", f"{datetime.datetime.now().astimezone():%Y-%m-%d %H:%M %z}, wrcontact {string(lib.wrc_version())}, by "
+                  f"wrcontact.report in Python{': ' + shown if shown else ''}. mm, N, MPa, rad.")
+    page.listed([_origin(one) for one in pair])
+    _add_brief(page, facts, conicity, lateral, np.asarray(positions["left.pmax"]))
+    rows = limits_of(limits, list(facts))
+    if rows:
+        page.add("h2", "Limits")
+        decimals = {"mm": 2, "MPa": 0, "1": 4}
+        page.table([("quantity", "verdict", "value", "least", "greatest", "unit", "source"), *(
+            (meaning, verdict(value, spread, least, greatest),
+             *((one, decimals[unit]) for one in (value, least, greatest)), unit.replace("1", ""), source)
+            for name, least, greatest, source in rows for value, spread, unit, meaning in [facts[name]])])
+    _add_warnings(page, centre, positions, lateral)
+    if not isinstance(centre, str):
+        page.add("h2", "Centred on the track")
+        page.picture(centre.plot(), "profiles in contact and pressures of both wheels")
+        _add_smoothing(page, centre)
+    _add_positions(page, lateral, positions)
+    page.add("h2", "Equivalent conicity")
+    page.picture(conicity.plot(), "equivalent conicity over the amplitude")
+    page.table([("amplitude, mm", "equivalent conicity", "±", ""), *(
+        ((amplitude, 0), (value, 4), (spread, 4), reason) for amplitude, value, spread, reason in zip(
+            conicity.amplitude, conicity.conicity, conicity.spread, conicity.reasons)
+        if amplitude % 1 == 0 and (not reason or amplitude == STANDARD))])
+    for profile, other in zip(pair, nominal):
+        _add_profile(page, profile, other)
+    target = Path(path)
+    target.write_text("".join(page.parts) + "</html>\n", encoding="utf-8")
+    return target
+
+
+def _solved(**values: Any) -> Result | str:
+    """The result, or why there is none."""
+    try:
+        return Scene(**values).solve()
+    except Error as error:
+        return str(error)
+
+
+def _facts(pair: Sequence[Profile], conicity: Any, centre: Result | str, pmax: Any) -> dict[str, tuple[float, float, str, str]]:
+    """What limits can be set to: value, spread, unit, meaning."""
+    facts = {}
+    for profile in pair:
+        dimensions = profile.dimensions
+        for name, value in dimensions.items():
+            facts[name] = (value, 0.0, dimensions.units[name], dimensions.long_name[name])
+    spread = float(np.interp(STANDARD, conicity.amplitude, conicity.spread))
+    numbers = {"equivalent_conicity": (conicity.value, spread), "pmax_centred": (math.nan, 0.0),
+               "pmax": (float(np.nanmax(pmax)) if np.isfinite(pmax).any() else math.nan, 0.0)}
+    if not isinstance(centre, str):
+        numbers["pmax_centred"] = (centre.left.pmax, centre["left.spread.pmax"])
+    facts.update({name: (value, 0.0 if math.isnan(range_) else range_, *_OF_PAIRS[name])
+                  for name, (value, range_) in numbers.items()})
+    return facts
+
+
+def _add_brief(page: _Page, facts: Mapping[str, Any], conicity: Any, lateral: Any, pmax: Any) -> None:
+    page.add("h2", "In brief")
+    lines = []
+    for name, decimals in (("equivalent_conicity", 4), ("pmax_centred", 0)):
+        value, spread, unit, meaning = facts[name]
+        more = f" ± {spread:.{decimals}f}" if spread > 0.0 else ""
+        text = "not known" if math.isnan(value) else f"{value:.{decimals}f}{more} {unit}".replace(" 1", "")
+        lines.append(f"{meaning[0].upper()}{meaning[1:]}: {text}.")
+    if not math.isnan(conicity.nonlinearity):
+        lines.append(f"Nonlinearity parameter: {conicity.nonlinearity:.4f} per mm.")
+    if np.isfinite(pmax).any():
+        worst = int(np.nanargmax(pmax))
+        lines.append(f"Largest pressure between y = {lateral[0]:g} and {lateral[-1]:g} mm: {pmax[worst]:.0f} MPa, at y = "
+                     f"{lateral[worst]:g} mm.")
+    page.listed(lines)
+
+
+def _add_warnings(page: _Page, centre: Result | str, positions: Mapping[str, Any], lateral: Any) -> None:
+    page.add("h2", "Warnings")
+    lines = [f"Centred: {centre}"] if isinstance(centre, str) else [
+        f"centred: {GRADES[grade]}: {text}" for grade, text in centre._graded()]
+    grades, texts, statuses, messages = (np.asarray(positions[name]) for name in ("grade", "warnings", "status", "message"))
+    lines += [f"y = {lateral[i]:g} mm: {messages[i]}" for i in np.flatnonzero(statuses)]
+    for grade in (2, 1):
+        for text in dict.fromkeys(" | ".join(texts[grades == grade]).split(" | ")):
+            at = [f"{lateral[i]:g}" for i in np.flatnonzero(grades == grade) if text and text in texts[i].split(" | ")]
+            if at:
+                lines.append(f"y = {', '.join(at)} mm ({GRADES[grade]}): {text}")
+    if lines:
+        page.listed(lines)
+    else:
+        page.add("p", "None.")
+
+
+def _add_smoothing(page: _Page, centre: Result) -> None:
+    """pmax and area over the wavelength that profiles of points are smoothed with."""
+    if "left.smoothed_0mm.area" not in centre._names:
+        return
+    from matplotlib.figure import Figure
+
+    page.add("p", "The largest pressure over the wavelength that the profiles are smoothed with: waves of this length are halved.")
+    figure = Figure(figsize=(7.0, 3.5), layout="constrained")
+    axes = figure.subplots()
+    rows: list[tuple[Any, ...]] = [("", "unit", "as solved", *(f"{one} mm" for one in _SMOOTHINGS))]
+    for side in ("left", "right"):
+        for name, unit, decimals in (("pmax", "MPa", 0), ("area", "mm²", 1)):
+            numbers = [centre[f"{side}.smoothed_{one}mm.{name}"] for one in _SMOOTHINGS]
+            rows.append((f"{side} {name}", unit, *((one, decimals) for one in [centre[f"{side}.{name}"], *numbers])))
+            if name == "pmax":
+                axes.plot(_SMOOTHINGS, numbers, "o-", label=f"{side} wheel")
+                axes.axhline(centre[f"{side}.pmax"], linestyle=":", color=axes.lines[-1].get_color())
+    axes.set(xlabel="smoothing wavelength, mm", ylabel="largest pressure, MPa", title="dotted: as solved")
+    axes.legend()
+    page.picture(figure, "largest pressure over the smoothing wavelength")
+    page.table(rows)
+
+
+def _add_positions(page: _Page, lateral: Any, positions: Mapping[str, Any]) -> None:
+    from matplotlib.figure import Figure
+
+    page.add("h2", "Left wheel over the lateral position")
+    columns = (("pmax", "pmax, MPa", 0), ("area", "area, mm²", 1), ("rigid_contact.angle", "contact angle, rad", 4),
+               ("rigid_contact.rolling_radius", "rolling radius, mm", 3), ("rigid_contact.s_wheel", "s on the wheel, mm", 2),
+               ("rigid_contact.t_rail", "t on the rail, mm", 2))
+    arrays = [np.asarray(positions[f"left.{name}"]) for name, _, _ in columns]
+    figure = Figure(figsize=(7.5, 9.0), layout="constrained")
+    for axes, array, (_, label, _) in zip(figure.subplots(4, 1, sharex=True), [*arrays[:2], *arrays[4:]],
+                                          [*columns[:2], *columns[4:]]):
+        axes.plot(lateral, array, "o-", markersize=3)
+        axes.set_ylabel(label)
+        axes.grid(color="#dddddd")
+    axes.set_xlabel("lateral displacement, mm (to the left)")
+    page.picture(figure, "largest pressure, area and contact points over the lateral position")
+    page.table([("y, mm", *(label for _, label, _ in columns)), *(
+        ((lateral[i], 1), *((array[i], decimals) for array, (_, _, decimals) in zip(arrays, columns)))
+        for i in range(lateral.size))])
+
+
+def _add_profile(page: _Page, profile: Profile, nominal: Profile | None) -> None:
+    page.add("h2", f"{profile.kind.title()} {Path(profile.name).name}")
+    page.add("p", f"{profile.title}. Source: {profile.source}.")
+    own = profile.dimensions
+    head: tuple[Any, ...] = ("dimension", "value", "unit")
+    rows: list[tuple[Any, ...]] = [(own.long_name[name], (value, 3), own.units[name].replace("1", "")) for name, value in own.items()]
+    if nominal is not None:
+        others = nominal.dimensions
+        head = ("dimension", "value", f"nominal: {nominal.name}", "difference", "unit")
+        rows = [(label, value, (others[name], 3), (own[name] - others[name], 3), unit)
+                for name, (label, value, unit) in zip(own, rows)]
+    page.table([head, *rows])
+    figure = profile.plot()
+    if nominal is not None:
+        curve = nominal.at(np.arange(0.0, nominal.length, 0.1))
+        figure.axes[0].plot(curve.lateral, curve.height, "--", color="#666666", linewidth=1, label=f"nominal: {nominal.name}")
+        figure.axes[0].legend()
+        found = profile.compare(nominal)
+        page.add("p", f"The nominal profile is at most {found.largest:.3f} mm away, at lateral {found.largest_at[0]:.1f} mm; "
+                      f"{found.missing_area:.1f} mm² are missing, {found.added_area:.1f} mm² are added.")
+    page.picture(figure, f"shape of {profile.name}")
+    if profile.corrections:
+        page.add("p", "Corrected on reading:")
+        page.listed(profile.corrections)

@@ -1,0 +1,62 @@
+"""The page that wrcontact.report writes."""
+import hashlib
+import re
+
+import numpy as np
+import pytest
+
+import wrcontact
+from conftest import PROJECT
+from wrcontact.report import limits_of, verdict
+
+MEASURED = PROJECT / "tests/reference/profiles/Car7216_0001r.txt"
+pytest.importorskip("matplotlib")
+
+
+def cells_of(page, heading):
+    """Texts of the cells of the first table below a heading."""
+    part = page.partition(f"<h2>{heading}</h2>")[2].partition("</table>")[0]
+    return [re.findall(r"<t[hd][^>]*>([^<]*)", row) for row in part.split("<tr>")[1:]]
+
+
+def test_a_report_has_what_its_profiles_and_scenes_have(tmp_path):
+    wheel = wrcontact.Profile.from_file(MEASURED, kind="wheel")
+    table = tmp_path / "limits.csv"
+    table.write_text("quantity,least,greatest,source\nflange_height,26,36,here\nqr,20,,here\n"
+                     "equivalent_conicity,,0.08,here\npmax_centred,,9000,here\n", encoding="utf-8")
+    path = wrcontact.report(wheel, "60E1", tmp_path / "r.html", nominal_wheel="S1002", limits=table, load_both=60e3)
+    page = path.read_text(encoding="utf-8")
+    assert hashlib.sha256(MEASURED.read_bytes()).hexdigest() in page and "rail: 60E1, built in" in page
+    assert re.search(r"<p>\d{4}-\d\d-\d\d \d\d:\d\d [+-]\d{4}, wrcontact \d+\.\d+\.\d+, by wrcontact.report in Python: load_both = 60000", page)
+    assert not re.search('(src|href)="(?!data:)', page) and "<script" not in page
+    verdicts = {row[0].partition(":")[0]: row[1] for row in cells_of(page, "Limits")[1:]}
+    assert verdicts == {"flange height Sh": "pass", "qR": "fail", "equivalent conicity at an amplitude of 3 mm":
+                        "pass, within its spread of the limit", "largest pressure, centred": "pass"}
+    conicity = wheel.conicity("60E1")
+    row = next(row for row in cells_of(page, "Equivalent conicity") if row[0] == "3")
+    assert row[1:3] == [f"{conicity.value:.4f}", f"{np.interp(3, conicity.amplitude, conicity.spread):.4f}"]
+    own, nominal = wheel.dimensions["flange_height"], wrcontact.Profile("S1002").dimensions["flange_height"]
+    row = next(row for row in cells_of(page, "Wheel Car7216_0001r") if row[0].startswith("flange height"))
+    assert row[1:4] == [f"{own:.3f}", f"{nominal:.3f}", f"{own - nominal:.3f}"]
+    with np.testing.suppress_warnings() as quiet:
+        quiet.filter(wrcontact.ContactWarning)
+        centre = wrcontact.solve(wheel=wheel, rail="60E1", load_both=60e3, accuracy=1e-2)
+    (row,) = [row for row in cells_of(page, "Centred on the track") if row[0] == "left pmax"]
+    assert row[2:5] == [f"{value:.0f}" for value in (centre.left.pmax, centre["left.smoothed_0mm.pmax"], centre["left.smoothed_3mm.pmax"])]
+    assert page.count("<img ") == 6
+
+
+def test_limits_are_checked():
+    assert verdict(1.0, 0.0, None, 1.0) == "pass" and verdict(1.1, 0.0, None, 1.0) == "fail"
+    assert verdict(1.0, 0.1, None, 1.05) == "pass, within its spread of the limit" and verdict(0.9, 0.0, 1.0, None) == "fail"
+    assert verdict(float("nan"), 0.0, 1.0, None) == "not known"
+    with pytest.raises(wrcontact.InvalidArgument, match="'pmx' is no quantity of a report; must be one of qr, pmax"):
+        limits_of({"pmx": (None, 1.0)}, ["qr", "pmax"])
+    with pytest.raises(wrcontact.InvalidArgument, match="lateral: the report sets pose.lateral itself"):
+        wrcontact.report("S1002", "60E1", "/nowhere/r.html", lateral=3)
+
+
+def test_a_file_of_limits_without_its_columns_is_refused(tmp_path):
+    (tmp_path / "limits.csv").write_text("quantity,most\nqr,5\n", encoding="utf-8")
+    with pytest.raises(wrcontact.InvalidArgument, match="must have the columns quantity, least, greatest, source"):
+        limits_of(tmp_path / "limits.csv", ["qr"])
