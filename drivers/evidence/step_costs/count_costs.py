@@ -3,7 +3,7 @@
 
 Runs step_costs under callgrind (Debian's valgrind) and counts the instructions of its steps alone: positions, reading of
 profiles and plans are prepared before. Callgrind counts each byte that the instructions rep stosb and rep movsb set or
-copy, in blocks of 2 kB and more: glibc is told not to use them. WRCONTACT_BUILD: the build folder (build/release), with
+copy, in blocks of 2 kB and more: glibc leaves them out here. WRCONTACT_BUILD: the build folder (build/release), with
 the target `evidence`.
 Not covered: stresses, wear and spreads of measured profiles, which steps do not ask for.
 """
