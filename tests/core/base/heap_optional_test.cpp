@@ -22,7 +22,7 @@ TEST(HeapOptional, IsEmptyUntilItHasAValue) {
   EXPECT_EQ(HeapOptional<std::string>(std::optional<std::string>("b")).value(), "b");
 }
 
-TEST(HeapOptional, CopiesHaveValuesOfTheirOwn) {
+TEST(HeapOptional, CopiesAreIndependent) {
   HeapOptional<std::string> first(std::string("a"));
   HeapOptional<std::string> second(first);
   *second = "b";
