@@ -85,7 +85,7 @@ Sample sample_of(const ContactTable& table, const TableState& state, bool deriva
   return sample;
 }
 
-/// The number that no more than a share of them exceeds; 0 of none.
+/// The number that at most this fraction of them exceeds; 0 of none.
 double quantile(std::vector<double>& numbers, double share) {
   if (numbers.empty()) {
     return 0.0;
