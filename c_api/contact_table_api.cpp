@@ -11,6 +11,8 @@ namespace {
 /// What a call of the progress throws to stop.
 struct Stopped {};
 
+static_assert(WRC_TABLE_OUTPUTS == wrc::output_count);
+
 constexpr uint64_t most_bytes = 4096; // more is no size of a struct
 
 /// The options that caller and library know.
@@ -50,8 +52,8 @@ wrc::TableOptions options_of(const wrc_table_options& given, const wrc::Conventi
   }
   if (given.resume_file != nullptr) {
     options.resume_file = given.resume_file;
-    options.version = wrc_version();
   }
+  options.version = wrc_version();
   return options;
 }
 
@@ -69,6 +71,12 @@ template <class Body> wrc_status with_table(wrc_table* table, Body&& body) {
 } // namespace
 
 extern "C" {
+
+const char* wrc_table_output_name(int64_t index) {
+  return index >= 0 && index < static_cast<int64_t>(wrc::output_count)
+             ? wrc::wheel_outputs[static_cast<std::size_t>(index)].name
+             : nullptr;
+}
 
 wrc_status wrc_table_create(wrc_table** table) {
   return wrc::create(table);
@@ -177,7 +185,9 @@ wrc_status wrc_table_get_facts(wrc_table* table, wrc_table_facts* facts) {
         measured.percentile_99,
         measured.worst,
         found.tolerance > 0.0 ? found.errors.share_beyond(found.tolerance) : 0.0,
-        static_cast<double>(found.bytes())};
+        static_cast<double>(found.bytes()),
+        static_cast<double>(measured.beyond_likely),
+        measured.derivatives_median};
     std::memcpy(facts, &known, std::min<std::size_t>(facts->struct_size, sizeof known));
     return WRC_OK;
   });

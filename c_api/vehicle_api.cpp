@@ -6,6 +6,7 @@
 #include "scene/patch_summary.hpp"
 #include "scene/static_equilibrium.hpp"
 #include "scene/vehicle_step.hpp"
+#include "table/table_equilibrium.hpp"
 #include "table/table_step.hpp"
 
 namespace {
@@ -18,7 +19,7 @@ bool is_struct_size(uint64_t size) {
 }
 
 /// The arguments that caller and library know; of none, none.
-wrc_step_arguments known_part(const wrc_step_arguments* given) {
+wrc_step_arguments known_part(const wrc_step_arguments* given, bool of_table = false) {
   wrc_step_arguments known{};
   if (given != nullptr) {
     if (!is_struct_size(given->struct_size)) {
@@ -26,6 +27,11 @@ wrc_step_arguments known_part(const wrc_step_arguments* given) {
                                   "sizeof(wrc_step_arguments)");
     }
     std::memcpy(&known, given, std::min<std::size_t>(given->struct_size, sizeof known));
+  }
+  if (!of_table && (known.likely_errors != nullptr || known.outputs != nullptr ||
+                    known.output_errors != nullptr)) {
+    wrc::throw_invalid_argument("likely_errors, outputs or output_errors", "given",
+                                "only steps by a table have them");
   }
   return known;
 }
@@ -104,6 +110,46 @@ private:
     }
   }
 };
+
+/// Fills in all arrays that were given.
+wrc_status put_step(wrc::TableObject& table, const StepArrays& arrays, const wrc::TableStep& step,
+                    double* error) {
+  arrays.put(0, step.wheels);
+  for (std::size_t i = 0; i < step.errors.size(); ++i) {
+    if (error != nullptr) {
+      error[i] = step.errors[i][0];
+    }
+    if (double* likely = arrays.optional.likely_errors; likely != nullptr) {
+      std::copy(step.errors[i].begin() + 1, step.errors[i].end(), likely + 2 * i);
+    }
+    for (const auto& [to, from] :
+         {std::pair(arrays.optional.outputs, &step.outputs[i]),
+          std::pair(arrays.optional.output_errors, &step.output_errors[i])}) {
+      if (to != nullptr) {
+        std::copy(from->begin(), from->end(), to + from->size() * i);
+      }
+    }
+  }
+  if (!step.converged) {
+    table.error = "not converged: the exact solution";
+    return WRC_NOT_CONVERGED;
+  }
+  return WRC_OK;
+}
+
+/// Whether flags of places or outputs were asked for.
+bool wants_places(const wrc_step_arguments& wanted) {
+  return wanted.states != nullptr || wanted.outputs != nullptr || wanted.output_errors != nullptr;
+}
+
+wrc::StaticLoads static_loads(int32_t kind, const double* loads) {
+  wrc::require_pointer(loads, "loads");
+  if (kind != WRC_LOADS_OF_WHEELS && kind != WRC_LOAD_OF_AXLE) {
+    wrc::throw_invalid_argument("kind", kind, "WRC_LOADS_OF_WHEELS or WRC_LOAD_OF_AXLE");
+  }
+  return {kind == WRC_LOAD_OF_AXLE ? wrc::LoadsOf::axle : wrc::LoadsOf::wheels,
+          {loads[0], loads[1]}};
+}
 
 /// One step; on failure scene, history and arrays stay as they were.
 wrc_status step(wrc::SolverObject& solver, wrc::SceneObject& scene, const StepArrays& arrays,
@@ -271,20 +317,14 @@ wrc_status wrc_solver_equilibrium(wrc_solver* solver, wrc_scene* scene, int32_t 
                                   double* force) {
   return wrc::guard(solver, [&](wrc::SolverObject& object) {
     return wrc::with_scene(object, scene, [&](wrc::SceneObject& posed) {
-      wrc::require_pointer(loads, "loads");
+      const wrc::StaticLoads carried = static_loads(kind, loads);
       wrc::require_pointer(position, "position");
       wrc::require_pointer(force, "force");
-      if (kind != WRC_LOADS_OF_WHEELS && kind != WRC_LOAD_OF_AXLE) {
-        wrc::throw_invalid_argument("kind", kind, "WRC_LOADS_OF_WHEELS or WRC_LOAD_OF_AXLE");
-      }
       const StepArrays arrays{position, velocity, force, known_part(arguments)};
       if (arrays.optional.histories != nullptr) {
         wrc::throw_invalid_argument("histories", "given", "an equilibrium has none");
       }
       const wrc::VehicleState state = arrays.state(0);
-      const wrc::StaticLoads carried{kind == WRC_LOAD_OF_AXLE ? wrc::LoadsOf::axle
-                                                              : wrc::LoadsOf::wheels,
-                                     {loads[0], loads[1]}};
       wrc::StaticEquilibrium found =
           wrc::find_static_equilibrium(posed.scene, state, carried, object.solver);
       auto forces = wrc::wheel_forces(found.result, posed.scene.convention, state.derivatives);
@@ -317,23 +357,18 @@ wrc_status wrc_table_step(wrc_table* table, wrc_solver* solver, wrc_scene* scene
       object.error = "there is no table yet: build or load one";
       return WRC_NO_RESULT;
     }
-    const StepArrays arrays{position, velocity, force, known_part(arguments)};
+    const StepArrays arrays{position, velocity, force, known_part(arguments, true)};
     if (arrays.optional.histories != nullptr) {
       wrc::throw_invalid_argument("histories", "given", "a table has no steps of time");
     }
+    const wrc_step_arguments& wanted = arrays.optional;
+    const bool places =
+        wanted.states != nullptr || wanted.outputs != nullptr || wanted.output_errors != nullptr;
     const auto put = [&](const wrc::TableStep& step) {
-      arrays.put(0, step.wheels);
-      if (error != nullptr) {
-        std::copy(step.errors.begin(), step.errors.end(), error);
-      }
-      if (!step.converged) {
-        object.error = "not converged: the exact solution";
-        return WRC_NOT_CONVERGED;
-      }
-      return WRC_OK;
+      return put_step(object, arrays, step, error);
     };
     if (solver == nullptr && scene == nullptr) {
-      return put(wrc::step_in_table(*object.table, arrays.state(0), nullptr));
+      return put(wrc::step_in_table(*object.table, arrays.state(0), nullptr, places));
     }
     const auto with = wrc::use(solver);
     const auto posed = wrc::use(scene);
@@ -345,7 +380,38 @@ wrc_status wrc_table_step(wrc_table* table, wrc_solver* solver, wrc_scene* scene
       return busy ? WRC_BUSY : WRC_INVALID_ARGUMENT;
     }
     const wrc::ExactAnswer exact{posed.object().scene, with.object().solver};
-    return put(wrc::step_in_table(*object.table, arrays.state(0), &exact));
+    return put(wrc::step_in_table(*object.table, arrays.state(0), &exact, places));
+  });
+}
+
+wrc_status wrc_table_equilibrium(wrc_table* table, int32_t kind, const double* loads,
+                                 const double* velocity, const wrc_step_arguments* arguments,
+                                 double* position, double* force, double* error) {
+  return wrc::guard(table, [&](wrc::TableObject& object) -> wrc_status {
+    const wrc::StaticLoads carried = static_loads(kind, loads);
+    wrc::require_pointer(position, "position");
+    wrc::require_pointer(force, "force");
+    if (!object.table) {
+      object.error = "there is no table yet: build or load one";
+      return WRC_NO_RESULT;
+    }
+    const StepArrays arrays{position, velocity, force, known_part(arguments, true)};
+    if (arrays.optional.histories != nullptr) {
+      wrc::throw_invalid_argument("histories", "given", "an equilibrium has none");
+    }
+    wrc::VehicleState state = arrays.state(0);
+    const wrc::TableEquilibrium found = wrc::find_table_equilibrium(*object.table, state, carried);
+    if (!found.converged) {
+      object.error = "the loads are met nowhere in the table";
+      return WRC_NOT_CONVERGED;
+    }
+    state.position[2] = found.vertical;
+    state.position[3] = found.roll;
+    const wrc::TableStep step =
+        wrc::step_in_table(*object.table, state, nullptr, wants_places(arrays.optional));
+    position[2] = found.vertical;
+    position[3] = found.roll;
+    return put_step(object, arrays, step, error);
   });
 }
 

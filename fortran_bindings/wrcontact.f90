@@ -26,7 +26,7 @@ module wrcontact
   private
 
   public :: solve_batch, step_batch, library_version, status_name, scene_key_count, scene_key
-  public :: standard_profile_name, load_wisdom, save_wisdom, set_planner_lock
+  public :: standard_profile_name, load_wisdom, save_wisdom, set_planner_lock, table_output_name
 
   !> Values of `stat`; those of wrc_status in wrcontact.h.
   integer, parameter, public :: wrc_ok = 0
@@ -43,15 +43,13 @@ module wrcontact
   integer, parameter, public :: wrc_busy = 11
   !> Flags of a wheel's state, added up.
   integer, parameter, public :: wrc_lifted = 1
-  integer, parameter, public :: wrc_on_flange_tip = 2
-  integer, parameter, public :: wrc_on_chamfer = 4
+  integer, parameter, public :: wrc_on_flange_tip = 2, wrc_on_chamfer = 4
   integer, parameter, public :: wrc_beyond_yield = 8
-  integer, parameter, public :: wrc_solved_exactly = 16
+  integer, parameter, public :: wrc_solved_exactly = 16, wrc_beyond_load = 64
+  integer, parameter, public :: wrc_table_outputs = 8 !< of each wheel, by a table
   integer, parameter, public :: wrc_at_part_end = 32
   !> Values of the results grade, left.grade and right.grade.
-  integer, parameter, public :: wrc_fine = 0
-  integer, parameter, public :: wrc_slightly_over = 1
-  integer, parameter, public :: wrc_do_not_use = 2
+  integer, parameter, public :: wrc_fine = 0, wrc_slightly_over = 1, wrc_do_not_use = 2
   !> Kinds of profiles.
   integer, parameter, public :: wrc_wheel = 0
   integer, parameter, public :: wrc_rail = 1
@@ -251,9 +249,11 @@ module wrcontact
     !> line(i): what it is of, from 1; facts(known): ranges, and errors in held-out random states.
     procedure :: line => table_line
     procedure :: facts => table_get_facts
-    !> step(q, v, f, error, stat, errmsg, solver, scene, dfdq, dfdv, rails, states, rail_velocities,
-    !> curvature, friction, dfdr, dfdrv): as step of contact_solver; error(2) as of wrc_table_step.
+    !> step(q, v, f, error, stat, errmsg, solver, scene, dfdq, dfdv, rails, states, rail_velocities, curvature, friction,
+    !> dfdr, dfdrv, likely_errors, outputs, output_errors): as step of contact_solver; errors as of wrc_table_step.
     procedure :: step => table_step
+    !> equilibrium(kind, loads, q, f, v, error, ...): as that of contact_solver, with further arguments of step.
+    procedure :: equilibrium => table_equilibrium
     generic :: assignment(=) => assign
     procedure, private :: assign => table_assign
     final :: table_release

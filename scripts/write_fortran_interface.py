@@ -37,6 +37,7 @@ POINTS = {"place", "lateral", "height", "angle", "curvature"}
 OPTIONAL = {
     "wrc_scene_get_numbers": {"values"}, "wrc_scene_field": {"values"}, "wrc_normal_field": {"values"},
     "wrc_rolling_field": {"values"}, "wrc_solver_creep": {"by_creepage"}, "wrc_table_step": {"error"},
+    "wrc_table_equilibrium": {"velocity", "error"},
     "wrc_solver_step": {"rails", "by_position", "by_velocity", "states"},
     "wrc_step_batch": {"rails", "by_positions", "by_velocities", "states"},
     "wrc_solver_equilibrium": {"velocity"}, "wrc_profile_points": {"lateral", "height"},

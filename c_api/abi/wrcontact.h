@@ -257,6 +257,7 @@ WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int3
 #define WRC_ON_CHAMFER 4      /**< a patch beyond the tread, on the field side */
 #define WRC_BEYOND_YIELD 8    /**< largest pressure above material.yield_pressure */
 #define WRC_SOLVED_EXACTLY 16 /**< a table asked the exact solution */
+#define WRC_BEYOND_LOAD 64    /**< a table went on beyond its largest load, after Hertz */
 #define WRC_AT_PART_END 32    /**< contact that an end or side of a part that varies cuts */
 
 /** Values of the results grade, left.grade and right.grade (docs/warnings.md). Since 0.4. */
@@ -351,6 +352,14 @@ typedef struct wrc_step_arguments {
    * resists over the step. */
   wrc_history* const* histories;
   double time_step; /**< s, from the state accepted last, 1e-9 to 1e9; 0 without histories */
+  /** 4, of wrc_table_step only: the error that 99 % of the forces of the left wheel keep, over its
+   * load as there; that of the columns of its derivatives, each over itself; then of the right
+   * wheel. Since 0.4. */
+  double* likely_errors;
+  /** 2 x WRC_TABLE_OUTPUTS, of wrc_table_step only: what wrc_table_output_name lists, of the left
+   * wheel, then of the right one; and the errors that 99 % of them keep. Since 0.4. */
+  double* outputs;
+  double* output_errors;
 } wrc_step_arguments;
 
 /** wrc_solver_step with further arguments; `arguments` may be NULL. Since 0.3. */
@@ -483,6 +492,14 @@ WRC_API wrc_status wrc_scene_tabulate(wrc_scene* scene, const char* keys, const 
  */
 typedef struct wrc_table wrc_table;
 
+/** What a table has of each wheel beside its forces. Since 0.4. */
+#define WRC_TABLE_OUTPUTS 8
+/** Their names: wear_number (frictional work over the distance), centre of pressure on the rail and
+ * on the wheel, contact angle there (positive on the flange) and rolling radius, normal forces of
+ * the tread and of the flange, and whether the wheel is on the flange tip (1 or 0); as results of a
+ * wheel where there is one. NULL past the end. Since 0.4. */
+WRC_API const char* wrc_table_output_name(int64_t index);
+
 /** What a table reaches and how fine it is. Set struct_size to sizeof(wrc_table_options) and zero
  * the rest: zeros stand for the defaults. Lengths and angles against the rail, in the scene's
  * convention. Since 0.3. */
@@ -492,8 +509,8 @@ typedef struct wrc_table_options {
   double roll;    /**< likewise, 0.01 rad */
   double yaw;     /**< likewise, 0.02 rad */
   double load;    /**< largest vertical force of a wheel, 150 kN */
-  /** Error, over load as in wrc_table_facts, beyond which a step with a solver takes the exact
-   * solution; 0: only outside the table. */
+  /** Likely error, over load as in wrc_table_facts, beyond which a step with a solver takes the
+   * exact solution; 0: only outside the table. */
   double tolerance;
   double fineness; /**< of the nodes, 0.2 to 4; 1. Time and memory grow with its cube. */
   int64_t threads; /**< 1 to 1024; 1. The same bits for any number. */
@@ -521,6 +538,10 @@ typedef struct wrc_table_facts {
   double exact_share; /**< fraction of cells that err by more than the tolerance; steps beside such
                        * cells have a part of the exact solution, too */
   double bytes;       /**< of memory */
+  double beyond_likely; /**< of `states`, those that err by more than the likely error returned with
+                         * them. Since 0.4. */
+  double derivatives_error; /**< median over the table of the likely error of derivatives; since
+                             * 0.4 */
 } wrc_table_facts;
 
 /** An empty handle, which keeps the error text of its calls. Since 0.3. */
@@ -558,8 +579,9 @@ WRC_API wrc_status wrc_table_get_facts(wrc_table* table, wrc_table_facts* facts)
 
 /**
  * Forces on both wheels as wrc_solver_step_with gives them, from the table. Arguments that are NULL
- * are 0 here, and friction is that of the table. The flags of `states` are WRC_LIFTED and
- * WRC_SOLVED_EXACTLY only, with the others where a wheel was solved.
+ * are 0 here, and friction is that of the table. The flags of `states` are WRC_LIFTED,
+ * WRC_ON_FLANGE_TIP, WRC_ON_CHAMFER and WRC_SOLVED_EXACTLY, with the others where a wheel was
+ * solved.
  *
  * solver, scene: those of wrc_solver_step_with, or both NULL. The scene has the profiles,
  *              dimensions and materials of the table; all numbers are in its units and axes. A step
@@ -571,9 +593,9 @@ WRC_API wrc_status wrc_table_get_facts(wrc_table* table, wrc_table_facts* facts)
  *              the text says which wheel is where.
  *
  * error:       2 numbers, or NULL: how far the force of each wheel may be off, over its vertical
- *              force, or over half of the table's largest load if that is more. It is that of
- *              random states with friction of 0.1 to 0.6, at 20 m/s forwards; with more friction it
- *              is larger in proportion.
+ *              force, or over half of the table's largest load if that is more: a bound, which 1 in
+ *              1000 random states with friction of 0.1 to 0.6 exceed at most. It grows with
+ *              friction. `arguments` has the likely error.
  *
  * WRC_NOT_CONVERGED, with all results: the exact solution. On other failures the arrays keep their
  * values; the table holds the error text. Since 0.3.
@@ -582,6 +604,22 @@ WRC_API wrc_status wrc_table_step(wrc_table* table, wrc_solver* solver, wrc_scen
                                   const double* position, const double* velocity,
                                   const wrc_step_arguments* arguments, double* force,
                                   double* error);
+
+/**
+ * wrc_solver_equilibrium by the table: the height and the roll at which a wheelset carries given
+ * loads, of at most the table's largest each, and the step there. Numbers are in the units and axes
+ * of the scene that the table was made of.
+ *
+ * arguments: as in wrc_table_step; may be NULL.
+ * error:     as in wrc_table_step, or NULL.
+ *
+ * WRC_INVALID_ARGUMENT, WRC_NO_RESULT, WRC_NOT_CONVERGED, where a wheel lifts or the table ends;
+ * the arrays then keep their values. Since 0.4.
+ */
+WRC_API wrc_status wrc_table_equilibrium(wrc_table* table, int32_t kind, const double* loads,
+                                         const double* velocity,
+                                         const wrc_step_arguments* arguments, double* position,
+                                         double* force, double* error);
 
 /* ---- Profiles ------------------------------------------------------------------------------ */
 

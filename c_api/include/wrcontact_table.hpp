@@ -8,6 +8,13 @@
 
 namespace wrcontact {
 
+/// What a table has beside forces, of both wheels (wrc_step_arguments). Since 0.4.
+struct TableOutputs {
+  std::array<double, 4> likely_errors{};
+  std::array<double, 2 * WRC_TABLE_OUTPUTS> outputs{};
+  std::array<double, 2 * WRC_TABLE_OUTPUTS> output_errors{};
+};
+
 /// Contact forces from a table that states its error (wrc_table). Since 0.3.
 class Table
     : public detail::Owner<wrc_table, wrc_table_create, wrc_table_destroy, wrc_table_error> {
@@ -45,14 +52,39 @@ public:
   std::array<double, 2> step(const std::array<double, 6>& position,
                              const std::array<double, 6>& velocity, Step& result,
                              StepArguments& arguments, Solver* solver = nullptr,
-                             Scene* scene = nullptr) {
+                             Scene* scene = nullptr, TableOutputs* outputs = nullptr) {
     wrc_history* history = nullptr;
-    const wrc_step_arguments passed = Solver::passed_on(arguments, result, history);
+    const wrc_step_arguments passed = passed_on(arguments, result, history, outputs);
     std::array<double, 2> error{};
     check(wrc_table_step(handle(), solver != nullptr ? solver->handle() : nullptr,
                          scene != nullptr ? scene->handle() : nullptr, position.data(),
                          velocity.data(), &passed, result.force.data(), error.data()));
     return error;
+  }
+  /// Sets height and roll of the position such that the wheels carry these loads
+  /// (wrc_table_equilibrium). Since 0.4.
+  std::array<double, 2> equilibrium(std::int32_t kind, const std::array<double, 2>& loads,
+                                    std::array<double, 6>& position,
+                                    const std::array<double, 6>& velocity, Step& result,
+                                    StepArguments& arguments, TableOutputs* outputs = nullptr) {
+    wrc_history* history = nullptr;
+    const wrc_step_arguments passed = passed_on(arguments, result, history, outputs);
+    std::array<double, 2> error{};
+    check(wrc_table_equilibrium(handle(), kind, loads.data(), velocity.data(), &passed,
+                                position.data(), result.force.data(), error.data()));
+    return error;
+  }
+
+private:
+  static wrc_step_arguments passed_on(StepArguments& arguments, Step& result, wrc_history*& history,
+                                      TableOutputs* outputs) {
+    wrc_step_arguments passed = Solver::passed_on(arguments, result, history);
+    if (outputs != nullptr) {
+      passed.likely_errors = outputs->likely_errors.data();
+      passed.outputs = outputs->outputs.data();
+      passed.output_errors = outputs->output_errors.data();
+    }
+    return passed;
   }
 };
 

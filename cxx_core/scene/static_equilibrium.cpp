@@ -26,40 +26,6 @@ struct Balance {
   TwoByTwo slope{}; ///< of each load carried, by height and roll
 };
 
-/// N and N mm, checked; of an axle the moment that the wheels have to bear.
-Two checked(const StaticLoads& loads, const Convention& convention) {
-  const auto check = [](double load, const char* name) {
-    if (!(load > 0.0 && load <= largest_static_load)) {
-      throw_invalid_argument(name, load, "must be above 0 and at most 1e7 N");
-    }
-  };
-  const auto& [first, second] = loads.values;
-  if (loads.of == LoadsOf::wheels) {
-    check(first, "loads[0] (left wheel)");
-    check(second, "loads[1] (right wheel)");
-    return {first, second};
-  }
-  check(first, "loads[0] (axle)");
-  const double inside = from_caller(second, convention, moment);
-  if (!(std::abs(inside) < usual_contact_arm * first)) {
-    throw_invalid_argument("loads[1] (moment about x)", second,
-                           "must be less than the axle's load times 750 mm, at which a wheel "
-                           "lifts");
-  }
-  return {first, -inside};
-}
-
-/// About what each wheel carries.
-Two loads_of_wheels(LoadsOf of, const Two& loads) {
-  if (of == LoadsOf::wheels) {
-    return loads;
-  }
-  const double half = 0.5 * loads[0];
-  const double moved = 0.5 * loads[1] / usual_contact_arm;
-  const double least = least_wheel_share * loads[0];
-  return {std::max(half + moved, least), std::max(half - moved, least)};
-}
-
 /// Height and roll at which each wheel by itself would carry its load, its depth then, and which
 /// loads are so small that a wheel that touches carries them.
 struct Start {
@@ -148,10 +114,42 @@ Two step_of(const Balance& balance, const SceneResult& result, const Two& place,
 
 } // namespace
 
+Two checked_loads(const StaticLoads& loads, const Convention& convention) {
+  const auto check = [](double load, const char* name) {
+    if (!(load > 0.0 && load <= largest_static_load)) {
+      throw_invalid_argument(name, load, "must be above 0 and at most 1e7 N");
+    }
+  };
+  const auto& [first, second] = loads.values;
+  if (loads.of == LoadsOf::wheels) {
+    check(first, "loads[0] (left wheel)");
+    check(second, "loads[1] (right wheel)");
+    return {first, second};
+  }
+  check(first, "loads[0] (axle)");
+  const double inside = from_caller(second, convention, moment);
+  if (!(std::abs(inside) < usual_contact_arm * first)) {
+    throw_invalid_argument("loads[1] (moment about x)", second,
+                           "must be less than the axle's load times 750 mm, at which a wheel "
+                           "lifts");
+  }
+  return {first, -inside};
+}
+
+Two loads_of_wheels(LoadsOf of, const Two& loads) {
+  if (of == LoadsOf::wheels) {
+    return loads;
+  }
+  const double half = 0.5 * loads[0];
+  const double moved = 0.5 * loads[1] / usual_contact_arm;
+  const double least = least_wheel_share * loads[0];
+  return {std::max(half + moved, least), std::max(half - moved, least)};
+}
+
 StaticEquilibrium find_static_equilibrium(const Scene& scene, const VehicleState& state,
                                           const StaticLoads& loads, SceneSolver& solver) {
   const Convention& convention = scene.convention;
-  Two requested = checked(loads, convention);
+  Two requested = checked_loads(loads, convention);
   VehicleState with_slopes = state;
   with_slopes.position[2] = to_caller(scene.nominal_radius(), convention, turning_length);
   with_slopes.position[3] = 0.0;

@@ -30,6 +30,12 @@ struct StaticLoads {
   std::array<double, 2> values{};
 };
 
+/// N and N mm, checked; of an axle the moment that the wheels have to bear. Throws
+/// Error(invalid_argument).
+std::array<double, 2> checked_loads(const StaticLoads& loads, const Convention& convention);
+/// About what each wheel carries.
+std::array<double, 2> loads_of_wheels(LoadsOf of, const std::array<double, 2>& loads);
+
 struct StaticEquilibrium {
   Scene scene;             ///< in its place
   SceneResult result;      ///< there

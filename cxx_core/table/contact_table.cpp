@@ -1,7 +1,9 @@
 #include "table/contact_table.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "results/wheel_state.hpp"
 #include "table/constants.hpp"
 
 namespace wrc {
@@ -48,7 +50,9 @@ template <class Real> struct Turn {
     return {v.x, cosine * v.y + sine * v.z, cosine * v.z - sine * v.y};
   }
   [[nodiscard]] VectorOf<Real> out_of_rail(const VectorOf<Real>& v) const {
-    return {v.x, cosine * v.y - sine * v.z, sine * v.y + cosine * v.z};
+    // Added, not subtracted: GCC 12 fuses the pair otherwise, without derivatives only.
+    const Real minus = -sine;
+    return {v.x, cosine * v.y + minus * v.z, sine * v.y + cosine * v.z};
   }
 };
 
@@ -143,15 +147,16 @@ void put(const Rated& number, std::size_t row, TableContact& to) {
   to.rates[row] = number.rates;
 }
 
-double weight_of(const ErrorMap::Weight& weight, const PlaceInTable<double>&) {
+double weight_of(const ErrorMap::Weight& weight, const PlaceInTable<double>&, double) {
   return weight.value;
 }
-Rated weight_of(const ErrorMap::Weight& weight, const PlaceInTable<Rated>& place) {
+Rated weight_of(const ErrorMap::Weight& weight, const PlaceInTable<Rated>& place,
+                const Rated& saturation) {
   Rated result(weight.value);
   for (std::size_t i = 0; i < table_rate_count; ++i) {
     result.rates[i] = weight.slope[0] * place.aligned_lateral.rates[i] +
                       weight.slope[1] * place.depth.rates[i] +
-                      weight.slope[2] * place.roll.rates[i];
+                      weight.slope[2] * saturation.rates[i];
   }
   return result;
 }
@@ -163,6 +168,10 @@ WRC_VECTOR_BODY Real share_before_border(const TableRanges& ranges,
   Real result(1.0);
   const auto fall = [&result](const Real& value, double limit) {
     if (std::abs(value_of(value)) <= (1.0 - border_share) * limit) {
+      return;
+    }
+    if (std::abs(value_of(value)) >= limit) {
+      result = Real(0.0);
       return;
     }
     const double scale = (value_of(value) < 0.0 ? -1.0 : 1.0) / (limit * border_share);
@@ -186,9 +195,10 @@ void put_weight(const Rated& weight, TableContact& to) {
   to.weight_rates = weight.rates;
 }
 
-/// Forces, of parts that are read from the table.
+/// Forces, of parts that are read from the table; returns the square of the creep force over that
+/// of full slip.
 template <class Real, class Part>
-WRC_VECTOR_BODY void add_up(const ContactTable& table, const Against<Real>& wheelset,
+WRC_VECTOR_BODY Real add_up(const ContactTable& table, const Against<Real>& wheelset,
                             const PlaceInTable<Real>& place, double friction, const Part& part,
                             TableContact& to) {
   using std::sqrt, std::sin, std::cos;
@@ -213,6 +223,8 @@ WRC_VECTOR_BODY void add_up(const ContactTable& table, const Against<Real>& whee
                    cross(wheelset.rolling, arm).x);
   const double slowest = table.standstill_speed;
   const Real slip_speed = sqrt(reference_speed * reference_speed + Real(slowest * slowest));
+  double power = 0.0; // of friction over the speed
+  Real saturation(0.0);
   const Real bound = Real(friction) * part(TablePart::normal) * load;
   if (friction >= least_table_friction) {
     const Vector velocity = wheelset.velocity + cross(wheelset.turning, arm);
@@ -230,10 +242,21 @@ WRC_VECTOR_BODY void add_up(const ContactTable& table, const Against<Real>& whee
         table.law.forces(direction * fx, direction * fy, fp, part(TablePart::log_ratio));
     const Vector tangential = bound * (direction * creep[0] * Vector{Real(1.0), zero, zero} +
                                        direction * creep[1] * across);
+    saturation = creep[0] * creep[0] + creep[1] * creep[1];
+    const Real spin_moment = bound * (creep[2] * (part(TablePart::size) * root));
     force = force + tangential;
-    moment = moment + cross(arm, tangential) +
-             bound * (creep[2] * (part(TablePart::size) * root)) * spin;
+    moment = moment + cross(arm, tangential) + spin_moment * spin;
+    for (const auto& [force_of_slip, slip] :
+         {std::pair(value_of(tangential.x), value_of(velocity.x)),
+          std::pair(value_of(tangential.y), value_of(velocity.y)),
+          std::pair(value_of(tangential.z), value_of(velocity.z)),
+          std::pair(value_of(spin_moment), value_of(dot(wheelset.turning, spin)))}) {
+      power -= force_of_slip * slip / value_of(slip_speed);
+    }
   }
+  to.normal_force = value_of(part(TablePart::normal)) * value_of(load);
+  to.wear_number = power;
+  to.load = std::max(to.load, value_of(load));
   force = wheelset.turn.out_of_rail(force);
   moment = wheelset.turn.out_of_rail(moment);
   const std::array<const Real*, 6> rows{&force.x,  &force.y,  &force.z,
@@ -241,6 +264,7 @@ WRC_VECTOR_BODY void add_up(const ContactTable& table, const Against<Real>& whee
   for (std::size_t i = 0; i < rows.size(); ++i) {
     put(*rows[i], i, to);
   }
+  return saturation;
 }
 
 template <class Real>
@@ -254,30 +278,36 @@ WRC_VECTOR_BODY void find_contact(const ContactTable& table, const TableState& s
   to.depth = value_of(place.depth);
   const TableRanges& ranges = table.ranges;
   to.inside = std::abs(to.lateral) <= ranges.lateral && std::abs(to.roll) <= ranges.roll &&
-              std::abs(to.yaw) <= ranges.yaw && to.depth <= 1.0;
+              std::abs(to.yaw) <= ranges.yaw && to.depth <= largest_depth;
   if (!to.inside) {
     return;
   }
-  const ErrorMap::Place in_map{to.lateral, to.depth, to.roll};
-  to.error = table.errors.error_at(in_map);
-  if (to.depth > -lift_margin) {
-    Real of_table = share_before_border(ranges, place);
-    if (table.tolerance > 0.0) {
-      of_table = of_table * (Real(1.0) - weight_of(table.errors.weight_at(in_map), place));
-    }
-    put_weight(Real(1.0) - of_table, to);
-  }
+  to.load = least_load_share * table.ranges.load;
   using Spline = TensorSpline<4, table_part_count, float>;
   Spline::Values found;
   table.contact.evaluate({to.lateral, to.roll, value_of(place.square), to.depth}, found);
   to.lifted = !(found.value[static_cast<std::size_t>(TablePart::load)] > 0.0);
-  if (to.lifted) {
-    return;
+  Real saturation(0.0);
+  if (!to.lifted) {
+    const std::array<Real, 4> at{place.aligned_lateral, place.roll, place.square, place.depth};
+    saturation = add_up<Real>(
+        table, wheelset, place, state.friction,
+        [&](TablePart part) { return part_of(found, static_cast<std::size_t>(part), at); }, to);
   }
-  const std::array<Real, 4> at{place.aligned_lateral, place.roll, place.square, place.depth};
-  add_up<Real>(
-      table, wheelset, place, state.friction,
-      [&](TablePart part) { return part_of(found, static_cast<std::size_t>(part), at); }, to);
+  to.saturation = value_of(saturation);
+  const ErrorMap::Place in_map{to.lateral, to.depth, to.saturation};
+  to.errors = table.errors.at(in_map, 0, first_of_outputs);
+  const double by_friction = error_by_friction(state.friction);
+  to.errors[bound_of_force] *= by_friction;
+  to.errors[likely_of_force] *= by_friction;
+  if (to.depth > -lift_margin) {
+    Real of_table = share_before_border(ranges, place);
+    if (table.tolerance > 0.0) {
+      const auto weight = table.errors.weight_at(in_map, table.tolerance / by_friction);
+      of_table = of_table * (Real(1.0) - weight_of(weight, place, saturation));
+    }
+    put_weight(Real(1.0) - of_table, to);
+  }
 }
 
 WRC_VECTOR_CLONES void find_forces(const ContactTable& table, const TableState& state,
@@ -293,9 +323,10 @@ WRC_VECTOR_CLONES void find_rates(const ContactTable& table, const TableState& s
 } // namespace
 
 std::size_t ContactTable::bytes() const {
-  return sizeof(float) * contact.coefficients().size() +
-         sizeof(double) * (touch.coefficients().size() + shift.coefficients().size() +
-                           law.spline().coefficients().size() + errors.cells().size());
+  return sizeof(float) * (contact.coefficients().size() + places.coefficients().size() +
+                          law.spline().coefficients().size()) +
+         sizeof(double) * (touch.coefficients().size() + shift.coefficients().size()) +
+         sizeof(ErrorMap::Errors) * errors.vertices().size();
 }
 
 TableContact contact_in_table(const ContactTable& table, const TableState& state,
@@ -305,8 +336,34 @@ TableContact contact_in_table(const ContactTable& table, const TableState& state
   return result;
 }
 
+double error_by_friction(double friction) {
+  return (friction + friction_without_errors) / (friction_of_errors + friction_without_errors);
+}
+
+double output_scale(const TableContact& contact, const WheelOutputs& outputs, std::size_t output) {
+  constexpr std::size_t wear = 0;
+  constexpr std::size_t tread = 5;
+  constexpr std::size_t flange = 6;
+  return output == wear                        ? std::max(outputs[wear], least_wear_number)
+         : output == tread || output == flange ? contact.load
+                                               : 1.0;
+}
+
+WheelOutputs outputs_in_table(const ContactTable& table, const TableContact& contact, int& flags) {
+  const auto found = table.places.values(
+      {contact.lateral, contact.roll, contact.yaw * contact.yaw, contact.depth});
+  const auto is = [&found](PlacePart part) { return found[static_cast<std::size_t>(part)] > 0.5; };
+  flags |= is(PlacePart::tip) ? on_flange_tip : 0;
+  flags |= is(PlacePart::chamfer) ? on_chamfer : 0;
+  return outputs_of(found, contact.normal_force, contact.wear_number);
+}
+
 double aligned(const ContactTable& table, double lateral, double roll, double yaw) {
   return lateral - shift_of(table, roll, yaw * yaw) * alignment(lateral, table.flange);
+}
+
+double share_of_fit(const ContactTable& table, double aligned_lateral) {
+  return table.flange > 0.0 ? 1.0 - alignment(aligned_lateral, table.flange) : 1.0;
 }
 
 double from_aligned(const ContactTable& table, double aligned_lateral, double roll, double yaw) {

@@ -28,6 +28,7 @@
 #include "table/creep_law.hpp"
 #include "table/error_map.hpp"
 #include "table/tensor_spline.hpp"
+#include "table/wheel_outputs.hpp"
 
 namespace wrc {
 
@@ -86,6 +87,10 @@ inline constexpr std::array<IdentityKey, 12> identity_keys{
      {"solve.method", dimensions::pure},
      {"solve.joining_distance", dimensions::length}}};
 
+/// What a file names as its variables; a table of others is no table of this library.
+inline constexpr const char* axes_of_tables =
+    "lateral, roll, yaw^2, depth; velocities and friction by a law of creep forces";
+
 /// How far a table reaches: from minus each to each, and loads up to the largest.
 struct TableRanges {
   double lateral = 10.0;
@@ -102,8 +107,11 @@ struct TableErrors {
   double median = 0.0;
   double percentile_99 = 0.0;
   double worst = 0.0;
-  std::uint64_t map_states = 0; ///< from which the map was made, and ...
-  double factor = 1.0;          ///< ... by which it was multiplied
+  std::uint64_t map_states = 0;    ///< from which the map was made, and ...
+  double factor = 1.0;             ///< ... by which its bound was multiplied
+  std::uint64_t beyond_likely = 0; ///< of `states`, those beyond the likely error
+  double likely_factor = 1.0;      ///< by which that was multiplied
+  double derivatives_median = 0.0; ///< of the map's likely errors of derivatives
 
   /// Fraction of all states that err by more, at most, with 95 % certainty: the bound of a Poisson
   /// distribution's mean, to 3 %.
@@ -115,6 +123,7 @@ struct TableErrors {
 
 struct ContactTable {
   TableIdentity identity;
+  std::string version;   ///< of the library that made it
   Convention convention; ///< of positions and forces outside
   TableRanges ranges;
   double taping_line = 0.0; ///< of the wheel, from the wheelset's centre
@@ -129,8 +138,9 @@ struct ContactTable {
   /// First touch and the logarithm of the depth at the largest load, by u', roll, yaw^2.
   TensorSpline<3, 2> touch;
   TensorSpline<4, table_part_count, float> contact; ///< by u', roll, yaw^2, s
+  TensorSpline<4, place_part_count, float> places;  ///< likewise: of the outputs
   CreepLaw law;
-  ErrorMap errors; ///< by u', s, roll
+  ErrorMap errors; ///< by u', s, saturation; of forces at `friction_of_errors`
   TableErrors measured;
   double tolerance = 0.0; ///< beyond which the exact solution is asked; 0: never
 
@@ -158,17 +168,33 @@ struct TableContact {
   double lateral = 0.0; ///< u', by which it is in the table or not, and the others
   double roll = 0.0;
   double yaw = 0.0;
-  double depth = 0.0; ///< s
+  double depth = 0.0;      ///< s
+  double saturation = 0.0; ///< square of the creep force over that of full slip
   bool inside = true;
-  double error = 0.0;  ///< of the force, over the load as in TableErrors
-  double weight = 0.0; ///< of the exact solution, with its derivatives ...
+  ErrorMap::Errors
+      errors{};      ///< at this friction: of the force over the load as in TableErrors, ...
+  double load = 0.0; ///< ... the load, or part of the largest if that is more
+  double normal_force = 0.0; ///< sum of the patches'
+  double wear_number = 0.0;  ///< frictional work over the distance
+  double weight = 0.0;       ///< of the exact solution, with its derivatives ...
   std::array<double, table_rate_count> weight_rates{}; ///< ... by the columns
 };
 
 TableContact contact_in_table(const ContactTable& table, const TableState& state, bool derivatives);
 
+/// What forces err by at a friction, over what they do at that of the map.
+double error_by_friction(double friction);
+/// What the error of an output is over.
+double output_scale(const TableContact& contact, const WheelOutputs& outputs, std::size_t output);
+/// What a wheel has beside its forces, where its contact was found and is not lifted; adds its
+/// flags.
+WheelOutputs outputs_in_table(const ContactTable& table, const TableContact& contact, int& flags);
+
 /// From u to u', and back.
 double aligned(const ContactTable& table, double lateral, double roll, double yaw);
+/// Share of the fit to slopes of the full theory at u': 1 on the tread, 0 where u' follows the
+/// flange.
+double share_of_fit(const ContactTable& table, double aligned_lateral);
 double from_aligned(const ContactTable& table, double aligned_lateral, double roll, double yaw);
 /// The pose of the wheelset at u, the height w of the taping point, and this roll.
 struct TablePose {

@@ -80,8 +80,8 @@ Forces node_of(EllipseProblem& ellipse, double gx, double gy, double m) {
   constexpr double without_end = 1e9; // linear forces that slide everywhere
   const double length = std::hypot(gx, gy);
   const double inside = std::min(length, 4.0 - length);
-  const double fp =
-      std::clamp(std::tan(0.5 * std::numbers::pi * m), -largest_spin_node, largest_spin_node);
+  const double fp = std::clamp(std::tan(0.5 * std::numbers::pi * m) / law_spin_scale,
+                               -largest_spin_node, largest_spin_node);
   const double root = std::sqrt(1.0 + fp * fp);
   Forces limit{};
   if (length > 0.0) {
@@ -91,7 +91,9 @@ Forces node_of(EllipseProblem& ellipse, double gx, double gy, double m) {
   const double square = 1.0 - 0.25 * inside * inside;
   Forces forces = limit;
   if (square > 1e-12) { // else it is the limit
-    const double scale = length > 0.0 ? inside / (length * std::sqrt(square)) * root : 0.0;
+    const double scale =
+        length > 0.0 ? std::sqrt(law_slip_scale) * inside / (length * std::sqrt(square)) * root
+                     : 0.0;
     const Forces linear{scale * gx, scale * gy, fp};
     forces = beyond_cubic(ellipse.forces(linear), linear);
   }

@@ -1,31 +1,14 @@
 #include "table/error_map.hpp"
 
-#include <utility>
+#include <algorithm>
 
 #include "base/smoothstep.hpp"
 
 namespace wrc {
 
-ErrorMap::ErrorMap(const Ranges& ranges, const Counts& counts, std::vector<double> errors)
-    : ranges_(ranges), counts_(counts), cells_(std::move(errors)),
-      errors_(largest_around([](double error) { return error; })), weights_(errors_.size()) {}
-
-template <class Value> std::vector<double> ErrorMap::largest_around(const Value& value) const {
-  const Counts vertices{counts_[0] + 1, counts_[1] + 1, counts_[2] + 1};
-  std::vector<double> result(vertices[0] * vertices[1] * vertices[2]);
-  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-    const double of_cell = value(cells_[cell]);
-    const Counts at{cell / (counts_[1] * counts_[2]), cell / counts_[2] % counts_[1],
-                    cell % counts_[2]};
-    for (std::size_t corner = 0; corner < 8; ++corner) {
-      double& vertex =
-          result[((at[0] + corner / 4) * vertices[1] + at[1] + corner / 2 % 2) * vertices[2] +
-                 at[2] + corner % 2];
-      vertex = std::max(vertex, of_cell);
-    }
-  }
-  return result;
-}
+ErrorMap::ErrorMap(const Ranges& ranges, const Counts& counts)
+    : ranges_(ranges), counts_(counts),
+      vertices_((counts[0] + 1) * (counts[1] + 1) * (counts[2] + 1)) {}
 
 std::size_t ErrorMap::index_in(std::size_t variable, double place, double& fraction) const {
   const Range& range = ranges_[variable];
@@ -55,10 +38,22 @@ ErrorMap::Ranges ErrorMap::ranges_of(std::size_t cell) const {
   return result;
 }
 
-ErrorMap::Weight ErrorMap::at(const std::vector<double>& vertices, const Place& place) const {
-  Counts index{};
+std::array<std::size_t, 8> ErrorMap::vertices_of(std::size_t cell) const {
+  const Counts at{cell / (counts_[1] * counts_[2]), cell / counts_[2] % counts_[1],
+                  cell % counts_[2]};
+  std::array<std::size_t, 8> vertices{};
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    vertices[corner] =
+        ((at[0] + corner / 4) * (counts_[1] + 1) + at[1] + corner / 2 % 2) * (counts_[2] + 1) +
+        at[2] + corner % 2;
+  }
+  return vertices;
+}
+
+template <class Add> void ErrorMap::around(const Place& place, const Add& add) const {
   std::array<std::array<double, 2>, 3> share{};
   std::array<std::array<double, 2>, 3> slope{};
+  Counts index{};
   for (std::size_t i = 0; i < place.size(); ++i) {
     double t = 0.0;
     index[i] = index_in(i, place[i], t);
@@ -68,28 +63,45 @@ ErrorMap::Weight ErrorMap::at(const std::vector<double>& vertices, const Place& 
     share[i] = {1.0 - rise, rise};
     slope[i] = {-rate, rate};
   }
-  Weight result;
+  const std::array<std::size_t, 8> vertices =
+      vertices_of((index[0] * counts_[1] + index[1]) * counts_[2] + index[2]);
   for (std::size_t corner = 0; corner < 8; ++corner) {
     const Counts k{corner / 4, corner / 2 % 2, corner % 2};
-    const double vertex =
-        vertices[((index[0] + k[0]) * (counts_[1] + 1) + index[1] + k[1]) * (counts_[2] + 1) +
-                 index[2] + k[2]];
-    result.value += vertex * share[0][k[0]] * share[1][k[1]] * share[2][k[2]];
-    result.slope[0] += vertex * slope[0][k[0]] * share[1][k[1]] * share[2][k[2]];
-    result.slope[1] += vertex * share[0][k[0]] * slope[1][k[1]] * share[2][k[2]];
-    result.slope[2] += vertex * share[0][k[0]] * share[1][k[1]] * slope[2][k[2]];
+    add(vertices_[vertices[corner]], share[0][k[0]] * share[1][k[1]] * share[2][k[2]],
+        Place{slope[0][k[0]] * share[1][k[1]] * share[2][k[2]],
+              share[0][k[0]] * slope[1][k[1]] * share[2][k[2]],
+              share[0][k[0]] * share[1][k[1]] * slope[2][k[2]]});
   }
-  return result;
 }
 
-void ErrorMap::set_tolerance(double tolerance) {
-  weights_ = largest_around([tolerance](double error) { return error > tolerance ? 1.0 : 0.0; });
+ErrorMap::Errors ErrorMap::at(const Place& place, std::size_t first, std::size_t last) const {
+  Errors errors{};
+  around(place, [&](const Errors& vertex, double share, const Place&) {
+    for (std::size_t kind = first; kind < last; ++kind) {
+      errors[kind] += share * vertex[kind];
+    }
+  });
+  return errors;
+}
+
+ErrorMap::Weight ErrorMap::weight_at(const Place& place, double tolerance) const {
+  Weight weight;
+  around(place, [&](const Errors& vertex, double share, const Place& slope) {
+    if (vertex[likely_of_force] > tolerance) {
+      weight.value += share;
+      for (std::size_t i = 0; i < slope.size(); ++i) {
+        weight.slope[i] += slope[i];
+      }
+    }
+  });
+  return weight;
 }
 
 double ErrorMap::share_beyond(double tolerance) const {
-  return static_cast<double>(std::count_if(cells_.begin(), cells_.end(),
-                                           [&](double error) { return error > tolerance; })) /
-         static_cast<double>(cells_.size());
+  const auto beyond = std::count_if(vertices_.begin(), vertices_.end(), [&](const Errors& vertex) {
+    return vertex[likely_of_force] > tolerance;
+  });
+  return static_cast<double>(beyond) / static_cast<double>(vertices_.size());
 }
 
 } // namespace wrc

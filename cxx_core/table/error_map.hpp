@@ -1,62 +1,74 @@
-/// The error of a table by place, and where it is too large.
+/// The errors of a table by place, and where they are too large.
 ///
-/// A box of three variables in cells. Each vertex has the largest error of the cells around it;
-/// between vertices the error goes over by 3 t^2 - 2 t^3 in each variable, so that it has a
-/// continuous slope and is nowhere below that of its cell. In the same way a weight is 1 throughout
-/// cells whose error exceeds a tolerance, and falls to 0 over the next cells. Thread rule: plain
-/// values.
+/// A box of three variables in cells, with errors of several kinds at their vertices. Between
+/// vertices errors go over by 3 t^2 - 2 t^3 in each variable, so that they have a continuous slope.
+/// In the same way a weight goes over from 1 at vertices whose error exceeds a tolerance to 0 at
+/// others. Thread rule: plain values.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
 
+#include "table/wheel_outputs.hpp"
+
 namespace wrc {
+
+/// The first kinds; those of the outputs follow.
+enum ErrorKind : std::size_t {
+  bound_of_force, ///< over the load, as TableErrors
+  likely_of_force,
+  likely_of_derivatives, ///< of a column, over the column
+  first_of_outputs
+};
+constexpr std::size_t error_kind_count = first_of_outputs + output_count;
 
 class ErrorMap {
 public:
   using Place = std::array<double, 3>;
   using Counts = std::array<std::size_t, 3>;
+  using Errors = std::array<double, error_kind_count>;
   struct Range {
     double first = 0.0;
     double last = 1.0;
   };
   using Ranges = std::array<Range, 3>;
 
-  ErrorMap() = default;
-  /// `errors`: of the cells, the last variable fastest.
-  ErrorMap(const Ranges& ranges, const Counts& counts, std::vector<double> errors);
+  ErrorMap() : ErrorMap(Ranges{}, Counts{1, 1, 1}) {}
+  ErrorMap(const Ranges& ranges, const Counts& counts);
 
-  [[nodiscard]] std::size_t cell_of(const Place& place) const;
-  /// The ranges of a cell.
-  [[nodiscard]] Ranges ranges_of(std::size_t cell) const;
-  [[nodiscard]] double error_at(const Place& place) const { return at(errors_, place).value; }
+  /// Of some kinds; the others are 0.
+  [[nodiscard]] Errors at(const Place& place, std::size_t first = 0,
+                          std::size_t last = error_kind_count) const;
 
   struct Weight {
     double value = 0.0;
     std::array<double, 3> slope{};
   };
-  /// Weight of the exact solution; 0 everywhere before set_tolerance.
-  [[nodiscard]] Weight weight_at(const Place& place) const { return at(weights_, place); }
-  void set_tolerance(double tolerance);
-  /// Fraction of the cells whose weight is 1.
+  /// Of the exact solution, where the likely error of forces exceeds a tolerance.
+  [[nodiscard]] Weight weight_at(const Place& place, double tolerance) const;
+  /// Fraction of the vertices that do.
   [[nodiscard]] double share_beyond(double tolerance) const;
+
+  [[nodiscard]] std::size_t cell_count() const { return counts_[0] * counts_[1] * counts_[2]; }
+  [[nodiscard]] std::size_t cell_of(const Place& place) const;
+  /// The ranges of a cell, and its vertices.
+  [[nodiscard]] Ranges ranges_of(std::size_t cell) const;
+  [[nodiscard]] std::array<std::size_t, 8> vertices_of(std::size_t cell) const;
 
   [[nodiscard]] const Ranges& ranges() const { return ranges_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
-  [[nodiscard]] const std::vector<double>& cells() const { return cells_; }
+  [[nodiscard]] std::vector<Errors>& vertices() { return vertices_; }
+  [[nodiscard]] const std::vector<Errors>& vertices() const { return vertices_; }
 
 private:
-  [[nodiscard]] Weight at(const std::vector<double>& vertices, const Place& place) const;
-  template <class Value> [[nodiscard]] std::vector<double> largest_around(const Value& value) const;
   [[nodiscard]] std::size_t index_in(std::size_t variable, double place, double& fraction) const;
+  /// Calls `add(vertex, weight, slope)` for the eight around a place.
+  template <class Add> void around(const Place& place, const Add& add) const;
 
   Ranges ranges_{};
   Counts counts_{1, 1, 1};
-  std::vector<double> cells_{0.0};
-  std::vector<double> errors_ = std::vector<double>(8);
-  std::vector<double> weights_ = std::vector<double>(8);
+  std::vector<Errors> vertices_;
 };
 
 } // namespace wrc

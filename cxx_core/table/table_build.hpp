@@ -27,7 +27,7 @@ struct TableOptions {
   Progress progress; ///< with the finished fraction
   /// Keeps what is finished, so that a build that was stopped goes on; empty: none.
   std::filesystem::path resume_file;
-  std::string version; ///< of the library, whose files go on
+  std::string version; ///< of the library: in the table, and whose unfinished files go on
 };
 
 /// A table of the scene's wheels, rails and materials; its position, loads and motion do not

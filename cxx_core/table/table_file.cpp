@@ -16,7 +16,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the format's numbers are little-endian");
 
 constexpr std::string_view first_words = "wrcontact table of contact forces, format ";
-constexpr std::string_view first_line = "wrcontact table of contact forces, format 1\n";
+constexpr std::string_view first_line = "wrcontact table of contact forces, format 2\n";
 
 [[noreturn]] void refuse(const std::string& what) {
   throw Error(ErrorCode::file_malformed, "table file: " + what);
@@ -136,10 +136,9 @@ void spline(Stream& stream, TensorSpline<variables, parts, Stored>& spline) {
   stream.numbers(spline.coefficients(), static_cast<std::size_t>(size));
 }
 
-template <class Stream> void map(Stream& stream, ErrorMap& errors, double tolerance) {
+template <class Stream> void map(Stream& stream, ErrorMap& errors) {
   ErrorMap::Ranges ranges = errors.ranges();
   ErrorMap::Counts counts = errors.counts();
-  std::vector<double> cells = errors.cells();
   double size = 1.0;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     stream.number(ranges[i].first);
@@ -150,15 +149,28 @@ template <class Stream> void map(Stream& stream, ErrorMap& errors, double tolera
       refuse("a map of errors of " + std::to_string(count) + " cells");
     }
     counts[i] = static_cast<std::size_t>(count);
-    size *= static_cast<double>(count);
+    size *= static_cast<double>(count + 1);
   }
-  if (size > static_cast<double>(largest_table_file)) {
+  if (size > static_cast<double>(largest_map_of_errors)) {
     refuse("more numbers than a file may have");
   }
-  stream.numbers(cells, static_cast<std::size_t>(size));
   if constexpr (Stream::reads) {
-    errors = ErrorMap(ranges, counts, std::move(cells));
-    errors.set_tolerance(tolerance);
+    errors = ErrorMap(ranges, counts);
+  }
+  for (ErrorMap::Errors& vertex : errors.vertices()) {
+    for (double& error : vertex) {
+      stream.number(error);
+    }
+  }
+}
+
+/// What the file names of itself, and no other table may have.
+template <class Stream> void words(Stream& stream, const char* what, const std::string& known) {
+  std::string found = known;
+  stream.name(found);
+  if (found != known) {
+    refuse(std::string("its ") + what + " are \"" + found +
+           "\"; this version of the library reads \"" + known + '"');
   }
 }
 
@@ -171,6 +183,9 @@ template <class Stream> void whole(Stream& stream, ContactTable& table) {
     stream.number(number);
   }
   stream.number(table.identity.profiles);
+  stream.name(table.version);
+  words(stream, "axes", axes_of_tables);
+  words(stream, "outputs", names_of_outputs());
   std::uint64_t si = table.convention.units == Units::si ? 1 : 0;
   std::uint64_t down = table.convention.frame == TrackFrame::right_down ? 1 : 0;
   stream.number(si);
@@ -182,19 +197,22 @@ template <class Stream> void whole(Stream& stream, ContactTable& table) {
        {&ranges.lateral, &ranges.roll, &ranges.yaw, &ranges.load, &table.taping_line, &table.radius,
         &table.rail_y, &table.rail_z, &table.friction, &table.standstill_speed, &table.flange,
         &table.tolerance, &table.measured.median, &table.measured.percentile_99,
-        &table.measured.worst, &table.measured.factor}) {
+        &table.measured.worst, &table.measured.factor, &table.measured.likely_factor,
+        &table.measured.derivatives_median}) {
     stream.number(*number);
   }
   stream.number(table.measured.states);
   stream.number(table.measured.beyond);
+  stream.number(table.measured.beyond_likely);
   stream.number(table.measured.map_states);
   spline(stream, table.shift);
   spline(stream, table.touch);
   spline(stream, table.contact);
+  spline(stream, table.places);
   CreepLaw::Spline law = table.law.spline();
   spline(stream, law);
   table.law = CreepLaw(std::move(law));
-  map(stream, table.errors, table.tolerance);
+  map(stream, table.errors);
   if (!(table.measured.states > 0 && table.measured.factor >= 1.0 && table.tolerance >= 0.0 &&
         table.friction >= 0.0 && table.friction <= 10.0 && table.ranges.load > 0.0)) {
     refuse("numbers that no table has");
@@ -243,7 +261,7 @@ ContactTable table_from_text(std::string_view text) {
     if (text.starts_with(first_words)) {
       const std::string_view rest = text.substr(first_words.size(), longest_table_format);
       refuse("its format is " + std::string(rest.substr(0, rest.find('\n'))) +
-             ", that of another version of the library; this one reads format 1: make the table "
+             ", that of another version of the library; this one reads format 2: make the table "
              "again");
     }
     refuse("it does not begin with \"" + std::string(first_line.substr(0, first_line.size() - 1)) +

@@ -157,7 +157,7 @@ Scene TableNodes::posed(double lateral, double roll, double yaw) const {
   return scene;
 }
 
-const SceneWheel& TableNodes::solve(const Scene& scene) {
+SceneWheel& TableNodes::solve(const Scene& scene) {
   result_ = solver_.solve(scene);
   return *result_.left;
 }
@@ -208,12 +208,11 @@ double TableNodes::depth_at_load(double lateral, double roll, double yaw) {
   return solve(scene).depth;
 }
 
-std::array<double, table_part_count> TableNodes::parts(double lateral, double height, double roll,
-                                                       double yaw) {
+TableNodes::Parts TableNodes::parts(double lateral, double height, double roll, double yaw) {
   Scene scene = posed(lateral, roll, yaw);
   scene.vertical = pose_of_taping_point(table_, lateral, height, roll).vertical;
   const SceneWheel& wheel = solve(scene);
-  std::array<double, table_part_count> parts{};
+  Parts parts{};
   if (wheel.patches.empty()) {
     return parts;
   }
@@ -269,12 +268,15 @@ std::array<double, table_part_count> TableNodes::parts(double lateral, double he
   put(TablePart::cross_law, sum.law[3] / force.z);
   put(TablePart::log_ratio, inverse * sum.log_ratio);
   put(TablePart::size, inverse * sum.size / std::sqrt(p));
+  const auto place = place_parts_of(wheel);
+  std::copy(place.begin(), place.end(), parts.begin() + table_part_count);
   return parts;
 }
 
-Vector3 TableNodes::exact_force(const TableState& state) {
+SceneWheel& TableNodes::solve_exactly(const TableState& state, bool derivatives, double accuracy) {
   Scene scene = scene_;
-  scene.accuracy = table_creep_accuracy;
+  scene.accuracy = accuracy;
+  scene.derivatives = derivatives;
   scene.creep = CreepModel::full;
   scene.lateral = state.position[1];
   scene.vertical = state.position[2];
@@ -289,8 +291,7 @@ Vector3 TableNodes::exact_force(const TableState& state) {
   motion.roll = state.velocity[3];
   motion.pitch = state.velocity[4];
   motion.yaw = state.velocity[5];
-  const SceneWheel& wheel = solve(scene);
-  return wheel.total.value_or(WheelForce{}).force;
+  return solve(scene);
 }
 
 } // namespace wrc

@@ -18,6 +18,11 @@ TableIdentity identity_of_table(const Scene& scene);
 /// FNV-1a over the curves as they are used: shifted, turned, smoothed.
 std::uint64_t checksum_of_profiles(const WheelSurface& wheel, const RailSurface& rail);
 
+/// Zero without contact.
+inline Vector3 force_of(const WheelResult& wheel) {
+  return wheel.total.value_or(WheelForce{}).force;
+}
+
 class TableNodes {
 public:
   /// The table has its ranges, and soon its dimensions and splines of first touch.
@@ -29,15 +34,16 @@ public:
   double touch_height(double lateral, double roll, double yaw);
   /// Depth at the largest load.
   double depth_at_load(double lateral, double roll, double yaw);
-  /// The parts at a height of the taping point.
-  std::array<double, table_part_count> parts(double lateral, double height, double roll,
-                                             double yaw);
-  /// Force by the full theory at a state.
-  Vector3 exact_force(const TableState& state);
+  /// What a node has: the parts of the contact, then those of the place.
+  using Parts = std::array<double, table_part_count + place_part_count>;
+  /// At a height of the taping point.
+  Parts parts(double lateral, double height, double roll, double yaw);
+  /// The full theory at a state; valid until the next call.
+  SceneWheel& solve_exactly(const TableState& state, bool derivatives, double accuracy);
 
 private:
   [[nodiscard]] Scene posed(double lateral, double roll, double yaw) const;
-  const SceneWheel& solve(const Scene& scene);
+  SceneWheel& solve(const Scene& scene);
 
   Scene scene_;
   SceneSolver solver_;

@@ -141,8 +141,12 @@ void turn_contact(TableContact& contact) {
     refuse("lateral position against the rail, positive towards the flange", contact.lateral,
            ranges.lateral, length);
   }
-  throw_invalid_argument(wheel + "depth over that at the largest load", contact.depth,
-                         "the table reaches to 1, at a load of " + text_of(ranges.load) + " N");
+  const auto newtons = [&](double depth) {
+    return text_of(std::round(ranges.load * std::pow(depth, 1.5))) + " N";
+  };
+  throw_invalid_argument(wheel + "load, after Hertz", newtons(contact.depth),
+                         "the table reaches to " + newtons(1.0) + ", and goes on to " +
+                             newtons(largest_depth) + "; the wheelset may be too low");
 }
 
 /// The share of the exact solution in a wheel's forces.
@@ -230,10 +234,48 @@ WheelForces forces_of(const TableContact& contact, bool derivatives, const Conve
   return forces_to_caller(total, &jacobian, &by_rail, convention);
 }
 
+/// Outputs, blended as the forces; returns flags that the table knows.
+int put_outputs(const ContactTable& table, const TableContact& contact, const SceneWheel* exact,
+                const Convention& convention, WheelOutputs& outputs, WheelOutputs& errors) {
+  const double share = exact != nullptr ? share_of(contact) : 0.0;
+  int flags = 0;
+  if (contact.inside && !contact.lifted && share < 1.0) {
+    outputs = outputs_in_table(table, contact, flags);
+    const ErrorMap::Errors of_outputs =
+        table.errors.at({contact.lateral, contact.depth, contact.saturation}, first_of_outputs);
+    for (std::size_t i = 0; i < output_count; ++i) {
+      errors[i] =
+          (1.0 - share) * of_outputs[first_of_outputs + i] * output_scale(contact, outputs, i);
+    }
+  }
+  if (exact != nullptr) {
+    const WheelOutputs found = outputs_of(*exact);
+    for (std::size_t i = 0; i < output_count; ++i) {
+      outputs[i] = (1.0 - share) * outputs[i] + share * found[i];
+    }
+  }
+  for (std::size_t i = 0; i < output_count; ++i) {
+    outputs[i] = to_caller(outputs[i], convention, wheel_outputs[i].dimension);
+    errors[i] = to_caller(errors[i], convention, wheel_outputs[i].dimension);
+  }
+  return flags;
+}
+
 } // namespace
 
+std::array<TableContact, 2> contacts_in_table(const ContactTable& table, const VehicleState& state,
+                                              const Convention& convention) {
+  std::array<TableContact, 2> contacts;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    contacts[i] = contact_in_table(table, state_of_wheel(table, state, i == 1, convention),
+                                   state.derivatives);
+  }
+  turn_contact(contacts[1]);
+  return contacts;
+}
+
 TableStep step_in_table(const ContactTable& table, const VehicleState& state,
-                        const ExactAnswer* exact) {
+                        const ExactAnswer* exact, bool places) {
   if (state.history) {
     throw_invalid_argument("history", "given", "a table has no steps of time");
   }
@@ -241,26 +283,23 @@ TableStep step_in_table(const ContactTable& table, const VehicleState& state,
     check_scene(table, exact->scene);
   }
   const Convention& convention = exact != nullptr ? exact->scene.convention : table.convention;
-  std::array<TableContact, 2> contacts;
+  std::array<TableContact, 2> contacts = contacts_in_table(table, state, convention);
   std::array<bool, 2> asks{};
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const bool right = i == 1;
-    contacts[i] =
-        contact_in_table(table, state_of_wheel(table, state, right, convention), state.derivatives);
     if (!contacts[i].inside && exact == nullptr) {
       refuse_place(table, contacts[i], right, convention.units);
     }
     asks[i] = exact != nullptr && share_of(contacts[i]) > 0.0;
-    double all = sum_of(contacts[i].force.data(), contacts[i].force.size()) + contacts[i].error;
+    double all = sum_of(contacts[i].force.data(), contacts[i].force.size()) +
+                 sum_of(contacts[i].errors.data(), contacts[i].errors.size()) +
+                 contacts[i].normal_force + contacts[i].wear_number;
     for (const auto& row : contacts[i].rates) {
       all += sum_of(row.data(), row.size());
     }
     if (!std::isfinite(all)) {
       throw Error(ErrorCode::file_malformed,
                   "the table's numbers give no finite force, derivative or error");
-    }
-    if (right) {
-      turn_contact(contacts[i]);
     }
   }
   SceneResult result;
@@ -282,6 +321,7 @@ TableStep step_in_table(const ContactTable& table, const VehicleState& state,
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     std::optional<SceneWheel>& wheel = i == 0 ? result.left : result.right;
     int flags = contacts[i].lifted ? lifted : 0;
+    flags |= contacts[i].inside && contacts[i].depth > 1.0 && !(asks[i] && wheel) ? beyond_load : 0;
     if (asks[i] && wheel) {
       check_profiles(table, *wheel);
       step.converged = step.converged && wheel->stop_reason == StopReason::tolerance_met;
@@ -291,11 +331,15 @@ TableStep step_in_table(const ContactTable& table, const VehicleState& state,
       flags = (flies ? seen : seen & ~lifted) | exact_solution;
     }
     step.wheels[i] = forces_of(contacts[i], state.derivatives, convention);
+    if (places) {
+      flags |= put_outputs(table, contacts[i], asks[i] && wheel ? &*wheel : nullptr, convention,
+                           step.outputs[i], step.output_errors[i]);
+    }
     step.wheels[i].state = flags;
-    // Creep forces err in proportion to friction, beyond what the random states had.
-    const double friction = state.friction ? (*state.friction)[i] : table.friction;
-    step.errors[i] = (asks[i] ? std::max(0.0, 1.0 - share_of(contacts[i])) : 1.0) *
-                     contacts[i].error * std::max(1.0, friction / largest_drawn_friction);
+    const double of_table = asks[i] ? std::max(0.0, 1.0 - share_of(contacts[i])) : 1.0;
+    for (std::size_t kind = 0; kind < step.errors[i].size(); ++kind) {
+      step.errors[i][kind] = of_table * contacts[i].errors[kind];
+    }
   }
   return step;
 }

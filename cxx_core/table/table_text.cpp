@@ -35,6 +35,8 @@ std::vector<std::string> lines_of(const ContactTable& table) {
                   amount_text(ranges.roll, units, angle) + ", yaw " +
                   amount_text(ranges.yaw, units, angle) + ", load " +
                   amount_text(ranges.load, units, force));
+  lines.push_back("made by version " + table.version + ", over " + axes_of_tables);
+  lines.push_back("beside forces it has " + names_of_outputs());
   return lines;
 }
 

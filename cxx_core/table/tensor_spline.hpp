@@ -137,7 +137,37 @@ public:
     contract<0>(weights, 0, to);
   }
 
+  /// Without slopes.
+  WRC_VECTOR_BODY std::array<double, parts> values(const Place& place) const {
+    std::array<SplineAxis::Weights, variables> weights;
+    for (std::size_t i = 0; i < variables; ++i) {
+      weights[i] = axes_[i].at(place[i]);
+    }
+    std::array<double, parts> to{};
+    add_values<0>(weights, 0, 1.0, to);
+    return to;
+  }
+
 private:
+  template <std::size_t variable>
+  WRC_VECTOR_BODY void add_values(const std::array<SplineAxis::Weights, variables>& weights,
+                                  std::size_t before, double weight,
+                                  std::array<double, parts>& to) const {
+    const SplineAxis::Weights& own = weights[variable];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t at = before * axes_[variable].count + own.index + k;
+      const double value = weight * own.value[k];
+      if constexpr (variable + 1 == variables) {
+        const Stored* const from = coefficients_.data() + at * parts;
+        for (std::size_t i = 0; i < parts; ++i) {
+          to[i] += value * from[i];
+        }
+      } else {
+        add_values<variable + 1>(weights, at, value, to);
+      }
+    }
+  }
+
   template <std::size_t variable>
   WRC_VECTOR_BODY void contract(const std::array<SplineAxis::Weights, variables>& weights,
                                 std::size_t before, Values& to) const {

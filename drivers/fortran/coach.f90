@@ -5,8 +5,9 @@ program coach_program
   use, intrinsic :: iso_fortran_env, only: error_unit, int64, real64
   use coach_data, only: wheelsets
   use coach_model, only: centred_state, coach, contact_power, displace, energy_of, first_of, friction_power, &
-    make_coach, position_count, speed_at
-  use coach_output, only: open_data, print_header, print_line, print_statistics, read_state, write_data, write_state
+    make_coach, position_count, speed_at, wear_numbers
+  use coach_output, only: open_data, print_header, print_line, print_statistics, read_state, write_data, write_state, &
+    write_wheelsets
   use coach_runs, only: advance, begin, critical_speed, growth_in_time, history
   use coach_track, only: make_track
   use wrcontact, only: wrc_ok
@@ -19,14 +20,15 @@ program coach_program
   real(real64) :: lateral = 0, lateral_speed = 0, roll = 0, standstill_speed = 1.0e-3_real64
   !> Since the beginning: work of contact forces, of friction, and what dampers take.
   real(real64) :: work(4) = 0, powers(4) = 0
-  character(200) :: creep = '', table = '', data = '', save_to = '', restart = ''
+  character(200) :: creep = '', table = '', data = '', save_to = '', restart = '', &
+    wheel = 'S1002', states = ''
   logical :: failed, with_energy = .false., critical = .false.
 
   vehicle%threads = 2
   call read_options()
   if (critical) accuracy = critical_accuracy
   call make_track(vehicle%line)
-  call make_coach(vehicle, accuracy, trim(creep), standstill_speed)
+  call make_coach(vehicle, accuracy, trim(creep), standstill_speed, trim(wheel))
   if (table /= '') call load_table()
   if (critical) then
     call print_critical_speed()
@@ -58,7 +60,6 @@ contains
     if (vehicle%line%seed < 1) call stop_with('--seed: a positive integer')
     if (creep == '') creep = merge('full   ', 'fastsim', table /= '')
     if (table /= '' .and. creep /= 'full') call stop_with('--creep: a table has the forces of the full theory')
-    if (table /= '' .and. critical) call stop_with('--critical: slopes by a table err by more than its forces')
     if (table /= '' .and. abs(standstill_speed - 1.0e-3_real64) > 0) call stop_with('--standstill-speed: a table '// &
       'has that of its scene (wrc_table --set motion.standstill_speed=...)')
     if (table /= '' .and. with_energy) call stop_with('--energy: a table does not say what friction takes')
@@ -95,6 +96,9 @@ contains
     case ('--data')
       data = value
       bad = 0
+    case ('--states')
+      states = value
+      bad = 0
     case ('--save')
       save_to = value
       bad = 0
@@ -121,6 +125,11 @@ contains
       read (value, *, iostat=bad) vehicle%acceleration
     case ('--acceleration-time')
       read (value, *, iostat=bad) vehicle%acceleration_time
+    case ('--wheel')
+      wheel = value
+      bad = 0
+    case ('--friction')
+      read (value, *, iostat=bad) vehicle%friction
     case ('--radius')
       read (value, *, iostat=bad) vehicle%line%radius
     case ('--cant')
@@ -167,6 +176,8 @@ contains
       '                        theory, on one thread', &
       '  --threads 2           number of threads; results do not depend on it', &
       '  --jacobian library    library, or differences', &
+      '  --wheel S1002         profile of the wheels, a name or a file (wheelset.wheel)', &
+      '  --friction ''0.3 0.3''  of the left and of the right wheels', &
       '  --radius 0            of the curve, m, positive to the left; 0: straight track', &
       '  --cant 0              of the curve, m over 1.5 m', &
       '  --start 60, --transition 80, --circle 120   lengths before the curve, of each transition, of the circle', &
@@ -179,6 +190,7 @@ contains
       '  --roll 0              its initial roll, rad; it then stands on one wheel', &
       '  --energy yes          print the energy balance; for straight, even track', &
       '  --data FILE           write a table of all steps, which coach.gp draws', &
+      '  --states FILE         write position, velocity, rails and curvature of the wheelsets in every tenth step', &
       '  --save FILE           write the state at the end', &
       '  --restart FILE        continue from a state written by --save', &
       '  --critical yes        instead: find the critical speed by eigenvalues, and check it by runs of', &
@@ -200,8 +212,8 @@ contains
 
   subroutine run()
     real(real64) :: p(n), v(n), start, energy, side
-    real(real64), allocatable :: wheel_forces(:, :, :)
-    integer :: first, last, i, unit, at
+    real(real64), allocatable :: wheel_forces(:, :, :), wear(:, :)
+    integer :: first, last, i, unit, at, unit_of_states
     integer(int64) :: began, ended, rate
     real(real64) :: processor(2)
     call centred_state(vehicle, p, v, failed)
@@ -226,9 +238,10 @@ contains
     energy = energy_of(vehicle, start, p, v)
     if (with_energy) powers = powers_now(start, p, v)
     if (data /= '') call open_data(data, unit)
+    if (states /= '') open (newunit=unit_of_states, file=states, action='write')
     first = nint(start/h)
     last = first + nint(seconds/h)
-    allocate (wheel_forces(2, 8, last - first))
+    allocate (wheel_forces(2, 8, last - first), wear(8, last - first))
     call print_header()
     call system_clock(began, rate)
     call cpu_time(processor(1))
@@ -236,14 +249,16 @@ contains
       call advance(vehicle, i*h, h, p, v, past, failed)
       if (failed) call stop_with(trim(vehicle%message))
       wheel_forces(:, :, i + 1 - first) = reshape(vehicle%forces([2, 3], :, :), [2, 8])
+      wear(:, i + 1 - first) = reshape(wear_numbers(vehicle), [8])
       if (with_energy) call add_work((i + 1)*h, p, v)
       if (data /= '') call write_data(unit, vehicle, (i + 1)*h, p)
+      if (states /= '' .and. mod(i, 10) == 0) call write_wheelsets(unit_of_states, vehicle, (i + 1)*h, p, v)
       if (mod(i + 1 - first, max(1, (last - first)/10)) == 0) call print_line(vehicle, (i + 1)*h, p)
     end do
     call system_clock(ended)
     call cpu_time(processor(2))
     call print_counts(real(ended - began, real64)/real(rate, real64), processor(2) - processor(1), last - first)
-    call print_statistics(wheel_forces)
+    call print_statistics(wheel_forces, wear)
     if (with_energy) call print_energy(energy_of(vehicle, last*h, p, v) - energy)
     print '(a, *(es25.17))', 'state ', p, v
     if (save_to /= '') call write_state(save_to, last*h, p, v, past)

@@ -24,11 +24,13 @@ module coach_model
     suspension
   use coach_track, only: point_at, rails_at, track, track_point
   use wrcontact, only: contact_patch, contact_scene, contact_solver, contact_table, step_batch, wrc_load_of_axle, &
-    wrc_loads_of_wheels, wrc_ok, wrc_solved_exactly
+    wrc_loads_of_wheels, wrc_ok, wrc_solved_exactly, &
+    wrc_table_outputs
   implicit none
   private
   public :: coach, position_count, make_coach, accelerations, centred_state, displace, speed_at, distance_at, &
-    first_of, energy_of, friction_power, contact_power
+    first_of, energy_of, friction_power, contact_power, wheelset_state, &
+    wear_numbers
 
   integer, parameter :: position_count = 6*body_count, n = position_count
 
@@ -43,6 +45,7 @@ module coach_model
     integer :: threads = 1
     real(real64) :: accuracy = 1.0e-2_real64 !< of contact forces; make_coach sets it
     real(real64) :: speed = 40, acceleration = 0, acceleration_time = huge(1.0_real64) !< of the locomotive
+    real(real64) :: friction(2) = 0.3_real64 !< of the left and of the right wheels
     logical :: by_differences = .false. !< Jacobians
     integer :: evaluations = 0 !< of the contact of all wheelsets
     real(real64) :: rate(n) = 0 !< accelerations found last
@@ -51,15 +54,16 @@ module coach_model
     type(suspension) :: springs
     real(real64) :: inverse_mass(n) = 0
     real(real64) :: forces(6, 2, 4) = 0 !< of the last evaluation: component, side, wheelset
+    real(real64) :: wear(2, 4) = 0 !< wear numbers in the last evaluation by the table: side, wheelset
     character(200) :: message = '' !< of the last failure
   end type coach
 
 contains
 
-  subroutine make_coach(self, accuracy, creep, standstill_speed)
+  subroutine make_coach(self, accuracy, creep, standstill_speed, wheel)
     type(coach), intent(inout) :: self
     real(real64), intent(in) :: accuracy, standstill_speed
-    character(*), intent(in) :: creep
+    character(*), intent(in) :: creep, wheel
     integer :: i
     self%accuracy = accuracy
     do i = 1, 4
@@ -70,6 +74,9 @@ contains
       call self%scenes(i)%set('solve.accuracy', accuracy)
       call self%scenes(i)%set('solve.creep', creep)
       call self%scenes(i)%set('motion.standstill_speed', standstill_speed)
+      call self%scenes(i)%set('wheelset.wheel', wheel)
+      call self%scenes(i)%set('friction.left', self%friction(1))
+      call self%scenes(i)%set('friction.right', self%friction(2))
     end do
     do i = 1, body_count
       self%inverse_mass(first_of(i):first_of(i) + 2) = 1/masses(i)
@@ -107,9 +114,9 @@ contains
       here(i) = point_at(self%line, distance_at(self, t) + places(i) - places(wheelsets(1)))
     end do
     if (present(by_p)) then
-      call contact_loads(self, t, p, v, here, loads, failed, contact_by_p, contact_by_v)
+      call contact_loads(self, t, p, v, loads, failed, contact_by_p, contact_by_v)
     else
-      call contact_loads(self, t, p, v, here, loads, failed)
+      call contact_loads(self, t, p, v, loads, failed)
     end if
     if (failed) return
     call lay(here, speed_at(self, t), laid, laid_rate)
@@ -205,29 +212,21 @@ contains
 
   !> Contact forces on the wheelsets: forces along the track, across and normal to it, moments about the axes of roll,
   !> of the axle and of yaw; their derivatives by the wheelset's positions and rates.
-  subroutine contact_loads(self, t, p, v, here, loads, failed, by_p, by_v)
+  subroutine contact_loads(self, t, p, v, loads, failed, by_p, by_v)
     type(coach), intent(inout) :: self
     real(real64), intent(in) :: t, p(n), v(n)
-    type(track_point), intent(in) :: here(body_count)
     real(real64), intent(inout) :: loads(6, 4)
     logical, intent(out) :: failed
     real(real64), intent(inout), optional :: by_p(6, 6, 4), by_v(6, 6, 4)
-    real(real64) :: q(6, 4), dq(6, 4), rails(3, 2, 4), total(6), onto(6, 6)
+    real(real64) :: q(6, 4), dq(6, 4), rails(3, 2, 4), curvatures(4), total(6), onto(6, 6)
     real(real64), allocatable :: dfdq(:, :, :, :), dfdv(:, :, :, :)
-    integer :: i, at
+    integer :: i
     do i = 1, 4
-      at = first_of(wheelsets(i))
-      q(:, i) = p(at:at + 5)
-      q(3, i) = q(3, i) + self%height
-      dq(:, i) = v(at:at + 5)
-      dq(1, i) = dq(1, i) + speed_at(self, t)
-      dq(5, i) = dq(5, i) + speed_at(self, t)/nominal_radius
-      rails(:, :, i) = rails_at(self%line, distance_at(self, t) + places(wheelsets(i)) - places(wheelsets(1)))
+      call wheelset_state(self, t, p, v, i, q(:, i), dq(:, i), rails(:, :, i), curvatures(i))
     end do
     if (present(by_p)) allocate (dfdq(6, 6, 2, 4), dfdv(6, 6, 2, 4))
     if (present(by_p)) call set_rates(self, t)
-    call step_all(self, q, dq, rails, [(here(wheelsets(i))%curvature*cos(here(wheelsets(i))%cant), i=1, 4)], &
-      failed, dfdq, dfdv)
+    call step_all(self, q, dq, rails, curvatures, failed, dfdq, dfdv)
     if (failed) return
     if (present(by_p) .and. .not. (self%by_table .or. self%by_differences)) self%steady_error = &
       max(self%steady_error, largest_steady_error(self))
@@ -242,6 +241,27 @@ contains
       by_p(5, [4, 6], i) = by_p(5, [4, 6], i) + [total(6), -total(4)]
     end do
   end subroutine contact_loads
+
+  !> Position and velocity of a wheelset, displacements of its rails and curvature, as a step has them.
+  pure subroutine wheelset_state(self, t, p, v, wheelset, q, dq, rails, curvature)
+    type(coach), intent(in) :: self
+    real(real64), intent(in) :: t, p(n), v(n)
+    integer, intent(in) :: wheelset
+    real(real64), intent(out) :: q(6), dq(6), rails(3, 2), curvature
+    type(track_point) :: here
+    real(real64) :: s
+    integer :: at
+    at = first_of(wheelsets(wheelset))
+    s = distance_at(self, t) + places(wheelsets(wheelset)) - places(wheelsets(1))
+    q = p(at:at + 5)
+    q(3) = q(3) + self%height
+    dq = v(at:at + 5)
+    dq(1) = dq(1) + speed_at(self, t)
+    dq(5) = dq(5) + speed_at(self, t)/nominal_radius
+    rails = rails_at(self%line, s)
+    here = point_at(self%line, s)
+    curvature = here%curvature*cos(here%cant)
+  end subroutine wheelset_state
 
   !> How fast the track and the velocities change, from which the library finds the error of steady creep forces.
   subroutine set_rates(self, t)
@@ -315,7 +335,7 @@ contains
     real(real64), intent(inout) :: forces(6, 2, 4)
     logical, intent(out) :: failed
     real(real64), intent(inout), optional :: dfdq(6, 6, 2, 4), dfdv(6, 6, 2, 4)
-    real(real64) :: errors(2)
+    real(real64) :: errors(2), outputs(wrc_table_outputs, 2)
     integer :: i, stat, states(2)
     self%evaluations = self%evaluations + 1
     stat = wrc_ok
@@ -326,12 +346,15 @@ contains
     do i = 1, merge(4, 0, self%by_table)
       if (present(dfdq)) then
         call self%table%step(q(:, i), dq(:, i), forces(:, :, i), errors, stat, self%message, self%solvers(i), &
-          self%scenes(i), dfdq(:, :, :, i), dfdv(:, :, :, i), rails(:, :, i), states, curvature=curvatures(i))
+          self%scenes(i), dfdq(:, :, :, i), dfdv(:, :, :, i), rails(:, :, i), states, curvature=curvatures(i), &
+          friction=self%friction, outputs=outputs)
       else
         call self%table%step(q(:, i), dq(:, i), forces(:, :, i), errors, stat, self%message, self%solvers(i), &
-          self%scenes(i), rails=rails(:, :, i), states=states, curvature=curvatures(i))
+          self%scenes(i), rails=rails(:, :, i), states=states, curvature=curvatures(i), friction=self%friction, &
+          outputs=outputs)
       end if
       if (stat /= wrc_ok) exit
+      self%wear(:, i) = outputs(1, :)
       self%tabled = self%tabled + 2
       self%solved = self%solved + count(iand(states, wrc_solved_exactly) /= 0)
       self%error_sum = self%error_sum + sum(errors)
@@ -339,6 +362,21 @@ contains
     end do
     failed = stat /= wrc_ok
   end subroutine evaluate
+
+  !> Frictional work over the distance in the last evaluation, N: of the left and the right wheel, wheelset.
+  function wear_numbers(self) result(wear)
+    type(coach), intent(in) :: self
+    real(real64) :: wear(2, 4)
+    integer :: i, stat
+    wear = self%wear
+    if (self%by_table) return
+    do i = 1, 4
+      wear(1, i) = self%scenes(i)%number('left.wear_number', stat)
+      if (stat /= wrc_ok) wear(1, i) = 0 ! lifted
+      wear(2, i) = self%scenes(i)%number('right.wear_number', stat)
+      if (stat /= wrc_ok) wear(2, i) = 0
+    end do
+  end function wear_numbers
 
   !> From forces and moments to loads: moments about the axis of roll, the axle and the vertical.
   pure function work_per_motion(q) result(onto)

@@ -27,7 +27,7 @@ constexpr const char* explanation =
     "materials of the scene; left and right wheels share it. It reaches over lateral position, "
     "load,\n"
     "roll and yaw against the rail; friction, velocities, curvature and track irregularities are\n"
-    "free. The error that comes with each evaluation is the largest of random states nearby.\n"
+    "free. The errors that come with each evaluation are those of random states nearby.\n"
     "\nTABLE.unfinished keeps what is done. If the program is stopped, the same command goes on "
     "from\nthere, at most 20 s back.\n"
     "\nExamples:\n"
@@ -71,6 +71,9 @@ void print_facts(const wrcontact::Table& table) {
       << "  worst        " << percent(facts.worst_error) << '\n'
       << "  beyond the error returned with them: " << facts.beyond
       << " (in all, with 95 % certainty, at most " << percent(facts.beyond_at_most) << ")\n";
+  std::cout << "  beyond the likely error: " << percent(facts.beyond_likely / facts.states) << '\n'
+            << "likely error of derivatives, median over the table: "
+            << percent(facts.derivatives_error) << '\n';
   if (facts.tolerance > 0.0) {
     std::cout << "exact solution beyond " << percent(facts.tolerance) << ", in "
               << percent(facts.exact_share) << " of the table\n";
@@ -134,9 +137,9 @@ int main(int argc, char** argv) {
   app.add("--roll", options.roll, "reach in roll against the rail, 0.001 to 0.1 rad [0.01]");
   app.add("--yaw", options.yaw, "reach in yaw, 0.001 to 0.1 rad [0.02]");
   app.add("--load", options.load, "largest load of a wheel, 1000 to 1e6 N [150000]");
-  app.add(
-      "--tolerance", options.tolerance,
-      "error over load beyond which steps with a solver take the exact solution, 0 to 1 [none]");
+  app.add("--tolerance", options.tolerance,
+          "likely error over load beyond which steps with a solver take the exact solution, 0 to 1 "
+          "[none]");
   app.add("--fineness", options.fineness, "of the nodes, 0.2 to 4 [1]");
   app.add("--threads", options.threads, "threads, 1 to 1024; the table does not depend on it [1]");
   app.flag("--show", show, "print what the file holds, and make nothing");

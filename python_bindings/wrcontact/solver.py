@@ -21,7 +21,9 @@ class Step(NamedTuple):
 
     force: [2, 6], of the left and the right wheel: force x, y, z (N) and moment x, y, z (N mm) about
     the wheelset's centre. states: [2], flags of left.state. Derivatives are None unless they were asked for.
-    jacobian() has them in the usual order, a row for each component.
+    jacobian() has them in the usual order, a row for each component. Of Table.step only: likely_errors: [2, 2],
+    the error that 99 % of forces keep, over the load, and that of derivatives, each over itself; outputs,
+    output_errors: [2, 8], in the order of Table.output_names.
     """
 
     force: Array
@@ -30,6 +32,9 @@ class Step(NamedTuple):
     states: NDArray[np.int32]
     by_rail: Array | None = None
     by_rail_velocity: Array | None = None
+    likely_errors: Array | None = None
+    outputs: Array | None = None
+    output_errors: Array | None = None
 
     def jacobian(self) -> Array:
         """[2, 6, 12], [wheel, component, coordinate]: derivatives of `force` by x, y, z, roll, pitch, yaw and their rates.
@@ -94,11 +99,20 @@ def _numbers(values: ArrayLike, name: str, count: int) -> Array:
     return numbers
 
 
+def kind_and_loads(wheels: ArrayLike | None, axle: ArrayLike | None) -> tuple[int, Array]:
+    """Of an equilibrium: one of both."""
+    if wheels is not None and axle is None:
+        return lib.WRC_LOADS_OF_WHEELS, _numbers(wheels, "wheels", 2)
+    if axle is not None and wheels is None:
+        return lib.WRC_LOAD_OF_AXLE, _numbers(axle, "axle", 2)
+    raise InvalidArgument("give either wheels, the loads of both, or axle, its load and moment")
+
+
 class _Arguments:
     """Further arguments of a step (wrc_step_arguments), and the arrays that it fills."""
 
     def __init__(self, derivatives: bool, rails: ArrayLike | None, rail_velocities: ArrayLike | None,
-                 curvature: float | None, friction: ArrayLike | None) -> None:
+                 curvature: float | None, friction: ArrayLike | None, of_table: bool = False) -> None:
         self.passed = ffi.new("wrc_step_arguments*")
         self.passed.struct_size = ffi.sizeof("wrc_step_arguments")
         self._inputs = {}  # kept while C has their addresses
@@ -113,6 +127,11 @@ class _Arguments:
         self.force, self.states = np.empty((2, 6)), np.empty(2, dtype=np.int32)
         self.passed.states = pointer(self.states, "int32_t")
         self._rates: list[Array | None] = [None] * 4
+        self._of_table: list[Array | None] = [None] * 3
+        if of_table:
+            self._of_table = [np.empty((2, count)) for count in (2, lib.WRC_TABLE_OUTPUTS, lib.WRC_TABLE_OUTPUTS)]
+            for name, array in zip(("likely_errors", "outputs", "output_errors"), self._of_table):
+                setattr(self.passed, name, pointer(array))
         if derivatives:
             self._rates = [np.empty((2, columns, 6)) for columns in (6, 6, 3, 3)]
             names = ("by_position", "by_velocity", "by_rail", "by_rail_velocity")
@@ -121,7 +140,7 @@ class _Arguments:
 
     def step(self) -> Step:
         by_position, by_velocity, by_rail, by_rail_velocity = self._rates
-        return Step(self.force, by_position, by_velocity, self.states, by_rail, by_rail_velocity)
+        return Step(self.force, by_position, by_velocity, self.states, by_rail, by_rail_velocity, *self._of_table)
 
 
 class Solver(Handle):
@@ -190,12 +209,7 @@ class Solver(Handle):
         axle, N, and the moment about x on it. position: as in step, of which y and yaw are used;
         velocity: as in the scene if it is None. The others as in step. NotConverged, NoContact.
         """
-        if wheels is not None and axle is None:
-            kind, loads = lib.WRC_LOADS_OF_WHEELS, _numbers(wheels, "wheels", 2)
-        elif axle is not None and wheels is None:
-            kind, loads = lib.WRC_LOAD_OF_AXLE, _numbers(axle, "axle", 2)
-        else:
-            raise InvalidArgument("give either wheels, the loads of both, or axle, its load and moment")
+        kind, loads = kind_and_loads(wheels, axle)
         q = _numbers(position, "position", 6).copy()
         v = None if velocity is None else _numbers(velocity, "velocity", 6)
         arguments = _Arguments(derivatives, rails, rail_velocities, curvature, friction)

@@ -10,9 +10,9 @@ from numpy.typing import ArrayLike
 
 from ._handle import Handle, encoded
 from ._interface import ffi
-from ._library import Array, lib, pointer
+from ._library import Array, lib, pointer, string
 from .scene import Scene
-from .solver import Solver, Step, _Arguments, _numbers
+from .solver import Equilibrium, Solver, Step, _Arguments, _numbers, kind_and_loads
 
 
 class TableFacts(NamedTuple):
@@ -34,6 +34,8 @@ class TableFacts(NamedTuple):
     worst_error: float
     exact_share: float
     bytes: int
+    beyond_likely: int
+    derivatives_error: float
 
 
 class Table(Handle):
@@ -93,6 +95,11 @@ class Table(Handle):
         self._check(lib.wrc_table_share(self._handle, other._handle))
         return other
 
+    @staticmethod
+    def output_names() -> list[str]:
+        """Of Step.outputs, in their order."""
+        return [string(lib.wrc_table_output_name(i)) for i in range(lib.WRC_TABLE_OUTPUTS)]
+
     def lines(self) -> list[str]:
         """What it is of: profiles, dimensions, units and axes of steps, reach; empty without a table."""
         return self._lines(lib.wrc_table_line)
@@ -102,7 +109,7 @@ class Table(Handle):
         known = ffi.new("wrc_table_facts*")
         known.struct_size = ffi.sizeof("wrc_table_facts")
         self._check(lib.wrc_table_get_facts(self._handle, known))
-        counts = ("states", "beyond", "bytes")
+        counts = ("states", "beyond", "beyond_likely", "bytes")
         return TableFacts(**{name: int(getattr(known, name)) if name in counts else getattr(known, name)
                              for name in TableFacts._fields})
 
@@ -117,10 +124,27 @@ class Table(Handle):
         the table.
         """
         q, v = _numbers(position, "position", 6), _numbers(velocity, "velocity", 6)
-        arguments = _Arguments(derivatives, rails, rail_velocities, curvature, friction)
+        arguments = _Arguments(derivatives, rails, rail_velocities, curvature, friction, of_table=True)
         error = np.empty(2)
         self._check(lib.wrc_table_step(
             self._handle, ffi.NULL if solver is None else solver._handle,
             ffi.NULL if scene is None else scene._handle, pointer(q), pointer(v), arguments.passed,
             pointer(arguments.force), pointer(error)))
         return arguments.step(), error
+
+    def equilibrium(self, position: ArrayLike, *, wheels: ArrayLike | None = None, axle: ArrayLike | None = None,
+                    velocity: ArrayLike | None = None, derivatives: bool = False, rails: ArrayLike | None = None,
+                    rail_velocities: ArrayLike | None = None, curvature: float | None = None,
+                    friction: ArrayLike | None = None) -> tuple[Equilibrium, Array]:
+        """Where the wheelset carries given loads, as Solver.equilibrium, with the errors of step.
+
+        wheels: the vertical forces of the left and the right wheel; or axle: the axle's, and the moment about x.
+        """
+        kind, loads = kind_and_loads(wheels, axle)
+        q = _numbers(position, "position", 6).copy()
+        v = None if velocity is None else _numbers(velocity, "velocity", 6)
+        arguments = _Arguments(derivatives, rails, rail_velocities, curvature, friction, of_table=True)
+        error = np.empty(2)
+        self._check(lib.wrc_table_equilibrium(self._handle, kind, pointer(loads), ffi.NULL if v is None else pointer(v),
+                                              arguments.passed, pointer(q), pointer(arguments.force), pointer(error)))
+        return Equilibrium(q, arguments.step()), error

@@ -82,6 +82,37 @@ TEST(ContactTable, GivesTheForcesOfAStepAndItsError) {
   }
 }
 
+TEST(ContactTable, HasOutputsAndLikelyErrors) {
+  std::array<double, 6> position = position_under_load();
+  const std::array<double, 6> velocity{2e4, 10.0, 0.0, 0.0, 43.5, 0.0};
+  wrcontact::Step step;
+  wrcontact::StepArguments arguments;
+  wrcontact::TableOutputs outputs;
+  auto error = table().step(position, velocity, step, arguments, nullptr, nullptr, &outputs);
+  EXPECT_EQ(std::string(wrc_table_output_name(0)), "wear_number");
+  EXPECT_EQ(wrc_table_output_name(WRC_TABLE_OUTPUTS), nullptr);
+  for (std::size_t wheel = 0; wheel < 2; ++wheel) {
+    EXPECT_GT(outputs.likely_errors[2 * wheel], 0.0);
+    EXPECT_LE(outputs.likely_errors[2 * wheel], error[wheel]);
+    EXPECT_GT(outputs.outputs[WRC_TABLE_OUTPUTS * wheel], 0.0);
+    const double load = step.force[6 * wheel + 2]; // all of it on the tread
+    EXPECT_NEAR(outputs.outputs[WRC_TABLE_OUTPUTS * wheel + 5], load, 0.01 * load);
+  }
+  error = table().equilibrium(WRC_LOADS_OF_WHEELS, {5e4, 7e4}, position, velocity, step, arguments,
+                              &outputs);
+  EXPECT_NEAR(step.force[2], 5e4, 0.1);
+  EXPECT_NEAR(step.force[8], 7e4, 0.1);
+  EXPECT_GT(error[0], 0.0);
+  wrcontact::Scene scene = scene_of_table();
+  wrcontact::Solver solver;
+  wrc_step_arguments given{};
+  given.struct_size = sizeof given;
+  given.outputs = outputs.outputs.data();
+  EXPECT_EQ(wrc_solver_step_with(solver.handle(), scene.handle(), position.data(), velocity.data(),
+                                 &given, step.force.data()),
+            WRC_INVALID_ARGUMENT);
+}
+
 TEST(ContactTable, OutsideIsRefusedOrSolved) {
   std::array<double, 6> position = position_under_load();
   position[5] = 0.02;

@@ -37,6 +37,7 @@ contains
     type(contact_solver) :: solver
     type(table_facts) :: known
     real(real64) :: q(6), v(6), f(6, 2), exact(6, 2), error(2), dfdq(6, 6, 2), dfdr(6, 3, 2), far(6)
+    real(real64) :: likely(2, 2), outputs(wrc_table_outputs, 2), output_errors(wrc_table_outputs, 2)
     integer :: states(2), stat, i
     integer, target :: calls
     type(c_funptr) :: progress
@@ -65,6 +66,15 @@ contains
       call expect(all(abs(dfdr(:, 2, i) + dfdq(:, 3, i)) <= 1.0e-6_real64*abs(dfdq(:, 3, i)) + 1.0_real64), &
         'a rail that sinks is a wheel that rises')
     end do
+    call table%step(q, v, f, error, likely_errors=likely, outputs=outputs, output_errors=output_errors)
+    call expect(all(likely(1, :) > 0 .and. likely(1, :) <= error), 'likely errors')
+    call expect(table_output_name(1) == 'wear_number', 'the name of an output')
+    call expect(table_output_name(99) == '', 'no output')
+    call expect(all(outputs(1, :) > 0 .and. output_errors(1, :) > 0), 'outputs')
+    call expect(all(abs(outputs(6, :) + outputs(7, :) - f(3, :)) < 0.01_real64*f(3, :)), 'forces of the lobes')
+    far = q
+    call table%equilibrium(wrc_loads_of_wheels, [5.0e4_real64, 7.0e4_real64], far, f, v)
+    call expect(all(abs(f(3, :) - [5.0e4_real64, 7.0e4_real64]) < 0.1_real64), 'equilibrium by a table')
     far = q
     far(6) = 0.02_real64
     call table%step(far, v, f, stat=stat, errmsg=errmsg)

@@ -55,10 +55,11 @@ wrc::ContactTable base_table() {
     contact.insert(contact.end(), parts.begin(), parts.end());
   }
   table.contact = {{lateral, roll, square, depth}, contact};
+  table.places = {{lateral, roll, square, depth},
+                  std::vector<double>(256 * wrc::place_part_count, 0.1)};
   const SplineAxis law(-1.0, 1.0, 4);
   table.law = wrc::CreepLaw({{law, law, law, law}, std::vector<double>(1024)});
-  table.errors =
-      wrc::ErrorMap({{{-10.0, 10.0}, {0.0, 1.0}, {-0.01, 0.01}}}, {2, 1, 1}, {0.01, 0.02});
+  table.errors = wrc::ErrorMap({{{-10.0, 10.0}, {0.0, 1.0}, {0.0, 1.0}}}, {2, 1, 1});
   table.measured.states = 100;
   return table;
 }
@@ -111,9 +112,14 @@ bool is_finite(const wrc::SixNumbers& numbers) {
 
 void take_step(const wrc::ContactTable& table, const wrc::VehicleState& state) {
   try {
-    const wrc::TableStep step = wrc::step_in_table(table, state, nullptr);
+    const wrc::TableStep step = wrc::step_in_table(table, state, nullptr, true);
     for (std::size_t wheel = 0; wheel < 2; ++wheel) {
-      demand(is_finite(step.wheels[wheel].force) && std::isfinite(step.errors[wheel]));
+      demand(is_finite(step.wheels[wheel].force) &&
+             std::isfinite(step.errors[wheel][0] + step.errors[wheel][1] + step.errors[wheel][2]));
+      for (std::size_t i = 0; i < wrc::output_count; ++i) {
+        demand(std::isfinite(step.outputs[wheel][i]) &&
+               std::isfinite(step.output_errors[wheel][i]));
+      }
       for (std::size_t i = 0; i < 6; ++i) {
         demand(is_finite(step.wheels[wheel].by_position[i]) &&
                is_finite(step.wheels[wheel].by_velocity[i]));

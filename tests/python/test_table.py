@@ -38,6 +38,19 @@ def test_a_step_is_the_exact_one_within_its_error(scene, table, tmp_path):
     assert not wrcontact.Table().lines()
 
 
+def test_outputs_and_equilibrium(scene, table):
+    (position, step), error = table.equilibrium([0, 0.2, 0, 0, 0, 2e-3], wheels=[5e4, 7e4], velocity=VELOCITY)
+    assert abs(step.force[:, 2] - [5e4, 7e4]).max() < 0.1 and (step.likely_errors[:, 0] <= error).all()
+    names = table.output_names()
+    assert names[0] == "wear_number" and step.outputs.shape == (2, len(names))
+    exact = wrcontact.Solver()
+    exact.step(scene, position, VELOCITY)
+    for side, name in enumerate(("left", "right")):
+        for i in (0, 1, 2, 4):
+            assert abs(step.outputs[side, i] - scene.result[f"{name}.{names[i]}"]) <= 2 * step.output_errors[side, i]
+    assert exact.step(scene, position, VELOCITY).outputs is None
+
+
 def test_outside_is_refused_or_solved(scene, table):
     solver = wrcontact.Solver()
     position, _ = solver.equilibrium(scene, [0, 0.2, 0, 0, 0, 0.02], axle=[1.2e5, 0], velocity=VELOCITY)

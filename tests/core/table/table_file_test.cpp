@@ -70,11 +70,24 @@ TEST(TableFile, SaysThatAFileIsOfAnotherVersion) {
   expect_error(
       ErrorCode::file_malformed, [&] { (void)table_from_text(with_checksum(text + "more")); },
       "its checksum is right, so it may be of another version of the library");
-  const std::size_t number = text.find("format 1") + 7;
+  const std::size_t number = text.find("format 2") + 7;
   text[number] = '9';
   expect_error(
       ErrorCode::file_malformed, [&] { (void)table_from_text(with_checksum(text)); },
-      "its format is 9", "this one reads format 1: make the table again");
+      "its format is 9", "this one reads format 2: make the table again");
+}
+
+/// Of later versions: it says which variables or outputs they have.
+TEST(TableFile, RefusesOtherAxesAndOutputs) {
+  std::string text = text_of_table(small_table());
+  text.resize(text.size() - sizeof(std::uint64_t));
+  for (const char* word : {"yaw^2", "centroid.t_rail"}) {
+    std::string changed = text;
+    changed[changed.find(word)] = 'x';
+    expect_error(
+        ErrorCode::file_malformed, [&] { (void)table_from_text(with_checksum(changed)); }, "its ",
+        std::string("x") + (word + 1));
+  }
 }
 
 TEST(TableFile, RefusesWhatWasCutOrChanged) {

@@ -45,11 +45,13 @@ TEST(TableStep, BothWheelsAreMirrorImagesToTheBit) {
   }
   mirrored.curvature = -1e-6;
   mirrored.friction = {0.2, 0.3};
-  const TableStep step = step_in_table(small_table(), state, nullptr);
-  const TableStep other = step_in_table(small_table(), mirrored, nullptr);
+  const TableStep step = step_in_table(small_table(), state, nullptr, true);
+  const TableStep other = step_in_table(small_table(), mirrored, nullptr, true);
   EXPECT_GT(step.wheels[0].force[2], 1e4);
   for (std::size_t wheel = 0; wheel < 2; ++wheel) {
     EXPECT_EQ(step.errors[wheel], other.errors[1 - wheel]);
+    EXPECT_EQ(step.outputs[wheel], other.outputs[1 - wheel]);
+    EXPECT_EQ(step.output_errors[wheel], other.output_errors[1 - wheel]);
     for (std::size_t row = 0; row < 6; ++row) {
       const double sign = row == 1 || row == 3 || row == 5 ? -1.0 : 1.0;
       EXPECT_EQ(step.wheels[wheel].force[row], sign * other.wheels[1 - wheel].force[row]);
@@ -77,11 +79,11 @@ TEST(TableStep, IsTheExactStepWithinItsError) {
       const double load = 0.5 * small_table().ranges.load;
       for (std::size_t row = 0; row < 3; ++row) {
         EXPECT_NEAR(found.wheels[wheel].force[row], exact[wheel].force[row],
-                    found.errors[wheel] * load);
+                    found.errors[wheel][0] * load);
       }
       for (std::size_t row = 3; row < 6; ++row) { // arms of up to 750 mm
         EXPECT_NEAR(found.wheels[wheel].force[row], exact[wheel].force[row],
-                    750.0 * found.errors[wheel] * load);
+                    750.0 * found.errors[wheel][0] * load);
       }
       const double stiffness = exact[wheel].by_position[2][2];
       EXPECT_NEAR(found.wheels[wheel].by_position[2][2], stiffness, 0.1 * std::abs(stiffness));
@@ -111,7 +113,7 @@ TEST(TableStep, OutsideItNamesThePlaceOrSolves) {
   EXPECT_EQ(found.wheels[0].force, forces[0].force);
   EXPECT_EQ(found.wheels[0].by_velocity, forces[0].by_velocity);
   EXPECT_EQ(found.wheels[0].state, exact_solution);
-  EXPECT_EQ(found.errors[0], 0.0);
+  EXPECT_EQ(found.errors[0][0], 0.0);
   Scene other = scene;
   other.track.gauge = 1434.0;
   const ExactAnswer of_other{other, solver};
@@ -152,6 +154,46 @@ TEST(TableStep, RefusesAScenePartlyUnlikeTheTables) {
   VehicleState state = running_state();
   state.position[1] = 2.5;
   EXPECT_THROW(step_in_table(measured_again, state, &exact), Error);
+}
+
+/// With continuous slopes, a flag, and an error that holds.
+TEST(TableStep, GoesOnBeyondTheLargestLoad) {
+  const Scene scene = scene_of_small_table();
+  SceneSolver solver;
+  VehicleState state = running_state();
+  const auto step_at = [&](double down) {
+    VehicleState deep = state;
+    deep.position[2] -= down;
+    return step_in_table(small_table(), deep, nullptr);
+  };
+  double low = 0.0; // where the left wheel exceeds it, by bisection
+  double high = 0.1;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (low + high);
+    ((step_at(middle).wheels[0].state & beyond_load) != 0 ? high : low) = middle;
+  }
+  const double largest = small_table().ranges.load;
+  EXPECT_NEAR(step_at(low).wheels[0].force[2], largest, 0.02 * largest);
+  constexpr double step = 1e-6;
+  const WheelForces before = step_at(low - step).wheels[0];
+  const WheelForces after = step_at(high + step).wheels[0];
+  for (std::size_t row = 0; row < 3; ++row) {
+    EXPECT_NEAR(after.by_position[2][row], before.by_position[2][row],
+                1e-4 * std::abs(before.by_position[2][2]));
+  }
+  const TableStep found = step_at(high + 0.01);
+  state.position[2] -= high + 0.01;
+  SceneResult result = solver.solve(scene_at(scene, state));
+  const auto exact = wheel_forces(result, scene.convention, false);
+  EXPECT_GT(exact[0].force[2], 1.1 * largest);
+  for (std::size_t row = 0; row < 3; ++row) {
+    EXPECT_NEAR(found.wheels[0].force[row], exact[0].force[row],
+                found.errors[0][0] * exact[0].force[2]);
+  }
+  state.position[2] -= 1.0;
+  expect_error(
+      ErrorCode::invalid_argument, [&] { (void)step_in_table(small_table(), state, nullptr); },
+      "left wheel: load, after Hertz = ", "the table reaches to 120000 N, and goes on to 220454 N");
 }
 
 TEST(TableStep, SolvesExactlyOnRailsThatAreDisplaced) {
@@ -203,27 +245,57 @@ TEST(TableStep, ForcesGoOverIntoTheExactOnesBeforeTheBorder) {
   }
 }
 
-TEST(TableStep, ErrorsGrowWithFrictionBeyondThatOfTheRandomStates) {
+TEST(TableStep, ErrorsGrowWithFriction) {
   VehicleState state = running_state();
-  state.friction = {0.3, 1.2};
+  (*state.velocity)[1] = 0.0;
+  state.friction = {0.3, 1.35};
   const TableStep step = step_in_table(small_table(), state, nullptr);
   state.friction = {0.3, 0.3};
   const TableStep usual = step_in_table(small_table(), state, nullptr);
   EXPECT_EQ(step.errors[0], usual.errors[0]);
-  EXPECT_NEAR(step.errors[1], 2.0 * usual.errors[1], 1e-15);
+  EXPECT_GT(step.errors[1][0], 2.0 * usual.errors[1][0]);
+  EXPECT_GT(step.errors[1][1], 2.0 * usual.errors[1][1]);
+}
+
+/// Within the errors that come with them; and of a wheel that is solved exactly without an error.
+TEST(TableStep, HasOutputsWithTheirErrors) {
+  const Scene scene = scene_of_small_table();
+  SceneSolver solver;
+  VehicleState state = running_state();
+  const TableStep found = step_in_table(small_table(), state, nullptr, true);
+  SceneResult result = solver.solve(scene_at(scene, state));
+  for (std::size_t wheel = 0; wheel < 2; ++wheel) {
+    SceneWheel& solved = wheel == 0 ? *result.left : *result.right;
+    const WheelOutputs exact = outputs_of(solved);
+    EXPECT_GT(exact[0], 0.0);
+    EXPECT_NEAR(exact[1], solved.centroid.t_rail, 0.0);
+    EXPECT_NEAR(exact[5] + exact[6], solved.normal_force, 1e-9 * solved.normal_force);
+    for (std::size_t i = 0; i < output_count; ++i) {
+      EXPECT_NEAR(found.outputs[wheel][i], exact[i], 1.5 * found.output_errors[wheel][i] + 1e-9)
+          << wheel_outputs[i].name;
+    }
+  }
+  state.position[1] = 2.5; // outside
+  const ExactAnswer exact{scene, solver};
+  const TableStep outside = step_in_table(small_table(), state, &exact, true);
+  SceneResult again = solver.solve(scene_at(scene, state));
+  EXPECT_EQ(outside.outputs[0], outputs_of(*again.left));
+  EXPECT_EQ(outside.output_errors[0], WheelOutputs{});
+  state.position[2] = 462.0;
+  state.position[1] = 0.0;
+  EXPECT_EQ(step_in_table(small_table(), state, nullptr, true).outputs[1], WheelOutputs{});
 }
 
 /// Between exact cells and others, forces go over with a continuous slope.
 TEST(TableStep, BlendsTheExactSolutionIn) {
   ContactTable table = small_table();
-  std::vector<double> cells = table.errors.cells();
-  const std::size_t half = cells.size() / 2; // of the lateral positions
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    cells[i] = i < half ? 0.01 : 0.5;
+  const ErrorMap& map = table.errors;
+  ErrorMap steep(map.ranges(), {4, 1, 1}); // of the lateral positions, exact in the last two cells
+  for (std::size_t i = 0; i < steep.vertices().size(); ++i) {
+    steep.vertices()[i].fill(i < 8 ? 0.01 : 0.5);
   }
-  table.errors = ErrorMap(table.errors.ranges(), table.errors.counts(), cells);
+  table.errors = steep;
   table.tolerance = 0.1;
-  table.errors.set_tolerance(table.tolerance);
   const Scene scene = scene_of_small_table();
   SceneSolver solver;
   const ExactAnswer exact{scene, solver};
@@ -235,7 +307,7 @@ TEST(TableStep, BlendsTheExactSolutionIn) {
   EXPECT_EQ(step_at(-0.8).state & exact_solution, 0);
   EXPECT_EQ(step_at(0.6).state & exact_solution, exact_solution);
   constexpr double step = 1e-3;
-  for (double lateral = -0.3; lateral < 0.0; lateral += 0.06) {
+  for (double lateral = -0.4; lateral < -0.1; lateral += 0.06) {
     const WheelForces at = step_at(lateral);
     EXPECT_EQ(at.state & exact_solution, exact_solution);
     const WheelForces ahead = step_at(lateral + step);
