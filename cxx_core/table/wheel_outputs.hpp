@@ -52,7 +52,7 @@ std::string names_of_outputs();
 /// From numbers of the place, the sum of the normal forces and the frictional work.
 WheelOutputs outputs_of(const std::array<double, place_part_count>& place, double normal_force,
                         double wear_number);
-/// Of a solution; zeros without contact.
+/// Of a solution with creep forces from a motion, which has the rows; zeros without contact.
 WheelOutputs outputs_of(const WheelResult& wheel);
 
 } // namespace wrc
