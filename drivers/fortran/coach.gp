@@ -2,14 +2,19 @@
 #   gnuplot -e "data='coach.dat'; picture='coach.png'" drivers/fortran/coach.gp
 #   gnuplot -e "data='coach.dat'; live=1" drivers/fortran/coach.gp
 if (!exists('live')) {
-  set terminal pngcairo size 1000, 1100 font 'DejaVu Sans,11'
+  set terminal pngcairo size 1000, 1100 font 'DejaVu Sans,10'
   set output picture
 }
+# As in drivers/support/gnuplot.cpp.
+array colour[4] = ['#0060ad', '#d55e00', '#009e73', '#7030a0']
+do for [i=1:4] { set linetype i lc rgb colour[i] }
+set border lc rgb '#404040'
+set tics out nomirror
 set multiplot layout 4, 1
 set lmargin 10
 set rmargin 32
 set key outside right top Left reverse samplen 2 width -2
-set grid
+set grid back lt 1 lw 1 lc rgb '#d8d8d8'
 mm = 1e3
 kN = 1e-3
 set ylabel 'lateral, mm'

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "support/refined_map.hpp"
+
 namespace driver {
 namespace {
 
@@ -56,6 +58,16 @@ void develop(DrawnSide& side) {
   }
 }
 
+/// Lines of lateral (from the reference of the patch), x and value, an empty one after each row.
+void write_map(std::ostream& out, const DrawnPatch& patch, std::size_t columns,
+               const std::vector<double>& x, const std::vector<double>& y,
+               const std::vector<double>& z, const std::vector<double>& values) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    out << patch.in_plane(y[i], z[i]) << ' ' << x[i] << ' ' << std::max(values[i], 0.0) << '\n'
+        << ((i + 1) % columns == 0 ? "\n" : "");
+  }
+}
+
 /// The pressures of a patch over lateral (from its reference) and x, as a block of data.
 void write_pressure(Gnuplot& gnuplot, const Scene& scene, DrawnPatch& patch) {
   const std::string& prefix = patch.name.prefix;
@@ -66,22 +78,27 @@ void write_pressure(Gnuplot& gnuplot, const Scene& scene, DrawnPatch& patch) {
   const double half_width = 0.5 * scene.number(prefix + "element_size.lateral");
   const double half_length = 0.5 * scene.number(prefix + "element_size.longitudinal");
   const auto length = static_cast<std::size_t>(scene.number(prefix + "grid.longitudinal"));
-  std::ostringstream data;
-  data.precision(9);
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const double lateral = patch.in_plane(y[i], z[i]);
-    data << lateral << ' ' << x[i] << ' ' << std::max(pressure[i], 0.0) << '\n';
     if (pressure[i] > 0.0) {
+      const double lateral = patch.in_plane(y[i], z[i]);
       patch.lateral.include(lateral - half_width);
       patch.lateral.include(lateral + half_width);
       patch.longitudinal.include(x[i] - half_length);
       patch.longitudinal.include(x[i] + half_length);
     }
-    data << ((i + 1) % length == 0 ? "\n" : "");
   }
-  patch.block = gnuplot.block(data.str());
   patch.has_contours =
       length > 1 && x.size() > length && *std::max_element(pressure.begin(), pressure.end()) > 0.0;
+  std::ostringstream data;
+  data.precision(9);
+  if (patch.has_contours) {
+    const RefinedMap map(x.size() / length, length);
+    write_map(data, patch, map.columns(), map.linear(x), map.linear(y), map.linear(z),
+              map.pressure(pressure));
+  } else {
+    write_map(data, patch, length, x, y, z, pressure);
+  }
+  patch.block = gnuplot.block(data.str());
 }
 
 /// The tractions of a patch, or of its parts, over lateral (from its reference) and x.
@@ -107,6 +124,7 @@ void write_tractions(Gnuplot& gnuplot, const Scene& scene, DrawnPatch& patch) {
     std::ostringstream arrows;
     areas.precision(9);
     arrows.precision(9);
+    std::vector<double> slips(x.size(), 0.5); // 1 slips, 0 adheres
     for (std::size_t i = 0; i < x.size(); ++i) {
       if (!(pressure[i] > 0.0)) {
         continue;
@@ -114,10 +132,8 @@ void write_tractions(Gnuplot& gnuplot, const Scene& scene, DrawnPatch& patch) {
       const double lateral = patch.in_plane(y[i], z[i]);
       const double traction = std::hypot(along[i], across[i]);
       constexpr double on_bound = 1.0 - 1e-6;
-      const bool slips = traction >= on_bound * friction * pressure[i];
+      slips[i] = traction >= on_bound * friction * pressure[i] ? 1.0 : 0.0;
       patch.largest_traction = std::max(patch.largest_traction, traction);
-      areas << lateral << ' ' << x[i] << ' ' << half_width << ' ' << half_length << ' '
-            << (slips ? slip_colour : adhesion_colour) << '\n';
       if ((i / columns) % row_step == row_step / 2 &&
           (i % columns) % column_step == column_step / 2) {
         arrows << lateral << ' ' << x[i] << ' ' << across[i] << ' ' << along[i] << '\n';
@@ -125,19 +141,22 @@ void write_tractions(Gnuplot& gnuplot, const Scene& scene, DrawnPatch& patch) {
     }
     patch.arrow_step = std::max({patch.arrow_step, 2.0 * half_width * static_cast<double>(row_step),
                                  2.0 * half_length * static_cast<double>(column_step)});
-    patch.areas.push_back(gnuplot.block(areas.str()));
+    if (rows > 1 && columns > 1) {
+      const RefinedMap map(rows, columns);
+      const auto fine_x = map.linear(x);
+      const auto fine_y = map.linear(y);
+      const auto fine_z = map.linear(z);
+      const auto fine_pressure = map.pressure(pressure);
+      const auto fine_slips = map.linear(slips);
+      for (std::size_t i = 0; i < fine_x.size(); ++i) {
+        areas << patch.in_plane(fine_y[i], fine_z[i]) << ' ' << fine_x[i] << ' '
+              << (fine_slips[i] >= 0.5 ? slip_colour : adhesion_colour)
+              << (fine_pressure[i] > 0.0 ? " 255\n" : " 0\n");
+      }
+      patch.areas.push_back(gnuplot.block(areas.str()));
+    }
     patch.arrows.push_back(gnuplot.block(arrows.str()));
   }
-}
-
-/// Lines at fifths of the largest pressure of the side, as a block of data.
-void write_contours(std::ostream& out, const DrawnPatch& patch, double largest) {
-  out << "set contour base\nunset surface\nset cntrparam levels discrete ";
-  for (int fifth = 1; fifth < 5; ++fifth) {
-    out << (fifth > 1 ? "," : "") << 0.2 * fifth * largest;
-  }
-  out << "\nset table " << patch.contours() << "\nsplot " << patch.block
-      << " using 1:2:3 with lines\nunset table\nunset contour\nset surface\n";
 }
 
 } // namespace
@@ -176,7 +195,7 @@ DrawnSide write_side(Gnuplot& gnuplot, const Scene& scene, const std::string& na
     const double pmax = scene.number(name + ".pmax");
     drawn.has_contours = drawn.has_contours && pmax > 0.0; // none where an end cuts the contact
     if (drawn.has_contours) {
-      write_contours(gnuplot.script(), drawn, pmax);
+      gnuplot.script() << contour_lines(drawn.block, pmax);
     }
   }
   develop(side);

@@ -30,12 +30,12 @@ struct DrawnPatch {
   Range lateral;            ///< of the contact, from the reference, positive to the left
   Range longitudinal;       ///< of the contact, track x
 
-  std::vector<std::string> areas;  ///< blocks: x, y, half sizes and colour of the elements
+  std::vector<std::string> areas;  ///< blocks of an image: x, y, red, green, blue, opacity
   std::vector<std::string> arrows; ///< blocks: x, y, traction to the left and forward
   double largest_traction = 0.0;
   double arrow_step = 0.0; ///< between arrows, mm
 
-  std::string block;         ///< of data; pressure 0 without contact
+  std::string block;         ///< of data, on a finer grid; pressure 0 without contact
   bool has_contours = false; ///< lines of equal pressure; none on a grid of one row or column
   [[nodiscard]] std::string contours() const { return block + "_contours"; }
 
@@ -59,9 +59,9 @@ struct DrawnSide {
   Range along;
 };
 
-/// Colours of areas of adhesion and slip.
-inline constexpr const char* adhesion_colour = "0xcfe2f3";
-inline constexpr const char* slip_colour = "0xf6c7b6";
+/// Red, green and blue of areas of adhesion and slip.
+inline constexpr const char* adhesion_colour = "207 226 243";
+inline constexpr const char* slip_colour = "246 199 182";
 
 /// The blocks of data are added to the script. Without pressures there are no patches.
 DrawnSide write_side(Gnuplot& gnuplot, const Scene& scene, const std::string& name,

@@ -55,7 +55,8 @@ void add_points(Gnuplot& gnuplot, const Profile& profile, std::vector<std::strin
     }
   };
   add(WRC_POINTS_READ, "pt 7 ps 0.6 lc rgb '#aaaaaa'", "points read");
-  add(WRC_POINTS_DROPPED, "pt 2 ps 1.2 lw 2 lc rgb '#d00000'", "points cut or removed");
+  add(WRC_POINTS_DROPPED, std::string("pt 2 ps 1.2 lw 2 lc rgb '") + colour::marked + '\'',
+      "points cut or removed");
 }
 
 /// The range that holds nearly all curvature: the spikes of a noisy file would flatten the rest.
@@ -121,34 +122,33 @@ void draw_profile(const Profile& profile, const Measures& measures, const Profil
   const auto titled = [](const Profile& shown) {
     return " title " + gnuplot_text(shown.text("name"));
   };
+  const std::string line = kind_name(profile) == std::string("rail") ? colour::rail : colour::wheel;
   std::vector<std::string> shapes;
   std::vector<std::string> lower;
   if (other != nullptr) {
     const std::string beneath = block_of(gnuplot, piece_points(*other));
-    shapes.push_back(beneath + " using 1:2 with lines lw 4 lc rgb '#f1a340'" + titled(*other));
+    shapes.push_back(beneath + " using 1:2 with lines lw 1.5 lc rgb '" + colour::quiet + '\'' +
+                     titled(*other));
   }
   add_points(gnuplot, profile, shapes); // beneath the curve, which they would hide
-  shapes.push_back(block + " using 1:2 with lines lw 1.5 lc rgb '#1f4e9e'" + titled(profile));
+  shapes.push_back(block + " using 1:2 with lines lw 1.5 lc rgb '" + line + '\'' + titled(profile));
   lower.push_back((other != nullptr ? distance_block(gnuplot, profile, *other) + " using 1:2"
                                     : block + " using 1:3") +
-                  " with lines lw 1.5 lc rgb '#1f4e9e' notitle");
+                  " with lines lw 1.5 lc rgb '" + line + "' notitle");
   const Checks& checks = measures.checks;
   if (checks.smallest_radius > 0.0) {
     shapes.push_back(block_of(gnuplot, {checks.radius_at}) +
-                     " using 1:2 with points pt 6 ps 1.4 lw 2 lc rgb '#d00000' title 'smallest "
-                     "radius " +
-                     fixed(checks.smallest_radius, 2) + " mm'");
+                     " using 1:2 with points pt 6 ps 1.4 lw 2 lc rgb '" + colour::marked +
+                     "' title 'smallest radius " + fixed(checks.smallest_radius, 2) + " mm'");
   }
   if (checks.largest_kink > least_marked_kink) {
     shapes.push_back(block_of(gnuplot, {checks.kink_at}) +
-                     " using 1:2 with points pt 8 ps 1.4 lw 2 lc rgb '#2a8a2a' title 'largest kink "
-                     "" +
-                     fixed(1e3 * checks.largest_kink, 1) + " mrad'");
+                     " using 1:2 with points pt 8 ps 1.4 lw 2 lc rgb '" + line_colour(2) +
+                     "' title 'largest kink " + fixed(1e3 * checks.largest_kink, 1) + " mrad'");
   }
   std::ostream& out = gnuplot.script();
-  out << "set grid lt 1 lw 1 lc rgb '#dddddd'\nset tics out nomirror\nset border 3 lc rgb "
-         "'#555555'\n"
-      << "set xrange [" << middle - 0.5 * width << ':' << middle + 0.5 * width << "]\n"
+  out << "set border 3\nset xrange [" << middle - 0.5 * width << ':' << middle + 0.5 * width
+      << "]\n"
       << "set lmargin at screen " << left_margin / total_width << "\nset rmargin at screen "
       << (left_margin + plot_width) / total_width << "\nset multiplot\n"
       << "set tmargin at screen " << 1.0 - top_margin / total_height << "\nset bmargin at screen "
@@ -163,8 +163,8 @@ void draw_profile(const Profile& profile, const Measures& measures, const Profil
   gnuplot.plot(shapes);
   out << "set title\nset tmargin at screen " << (bottom_margin + curvature_height) / total_height
       << "\nset bmargin at screen " << bottom_margin / total_height
-      << "\nset xlabel 'lateral, mm (positive to the field side)'\nset xzeroaxis lc rgb "
-         "'#888888'\n";
+      << "\nset xlabel 'lateral, mm (positive to the field side)'\nset xzeroaxis lc rgb '"
+      << colour::quiet << "'\n";
   if (other != nullptr) {
     out << "set ylabel " << gnuplot_text("normal distance to " + other->text("name") + ", mm")
         << "\nset yrange [*:*]\n";

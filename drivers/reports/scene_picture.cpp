@@ -1,7 +1,6 @@
 #include "reports/scene_picture.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -17,10 +16,9 @@
 namespace driver {
 namespace {
 
-constexpr std::array colours{"#c00000", "#00802b", "#7030a0", "#c55a11"};
-
-const char* colour_of(int index) {
-  return colours[static_cast<std::size_t>(index) % colours.size()];
+/// Of a patch.
+std::string colour_of(int index) {
+  return index == 0 ? colour::marked : line_colour(static_cast<std::size_t>(index) + 1);
 }
 
 /// With three digits, in N or kN.
@@ -65,7 +63,7 @@ struct WarningNote {
       labels += "set label " + std::to_string(first_label + from_below) + ' ' +
                 gnuplot_text(shortened(one_line(warning), letters * columns)) +
                 " at screen 0.006,character " + general(0.8 + line_height * from_below) +
-                " left font ',9' tc rgb '" + (loud ? "#b00000" : "#606060") + "' front\n";
+                " left tc rgb '" + (loud ? "#b00000" : "#606060") + "' front\n";
     }
   }
   /// Before the first plot of the last row.
@@ -148,8 +146,8 @@ void plot_outlines(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side) 
           " fs solid fc rgb '#f3ebe3' notitle",
       side.wheel + " with filledcurves y=" + general(frame.z.greatest + frame.z.length(), 9) +
           " fs solid fc rgb '#e9eff8' notitle",
-      side.rail + " with lines lw 2 lc rgb '#8b5a2b' title 'rail'",
-      side.wheel + " with lines lw 2 lc rgb '#1f4e9e' title 'wheel'"};
+      side.rail + " with lines lw 2 lc rgb '" + colour::rail + "' title 'rail'",
+      side.wheel + " with lines lw 2 lc rgb '" + colour::wheel + "' title 'wheel'"};
   for (const DrawnPatch& patch : by_force) {
     const double dy = half_plane * std::cos(patch.plane_angle);
     const double dz = half_plane * std::sin(patch.plane_angle);
@@ -186,7 +184,7 @@ public:
 
 private:
   double width_ = 0.0;
-  double width_to_length_ = 1.35;
+  double width_to_length_ = 1.5;
   double share_across_ = 0.78; ///< of the patches in the width
   double share_along_ = 0.62;
 };
@@ -241,8 +239,7 @@ void write_axes(std::ostream& out, const DrawnSide& side, const PatchAxes& axes)
             << ", graph 1 nohead dt 2 lw 1.5 lc rgb '#909090'\n";
       }
       out << "set label '" << fixed(side.gaps[i].left_out, 0) << " mm left out' at "
-          << middle + 3.0 * half_break
-          << ", graph 0.5 center rotate by 90 font ',9' tc rgb '#606060'\n";
+          << middle + 3.0 * half_break << ", graph 0.5 center rotate by 90 tc rgb '#606060'\n";
       begin = middle + 2.0 * half_break;
     }
   }
@@ -270,8 +267,8 @@ void plot_pressure(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
   out << "set title 'p_{max} " << (is_bounded ? fixed(pmax, 0) + " MPa" : "without bound")
       << ", area " << fixed(value("area"), 1) << " mm^2, vertical "
       << force_text(value("vertical_force"))
-      << "'\nset cblabel 'pressure, MPa' offset 1\nset rmargin " << colour_box_margin
-      << "\nset key off\nset cbrange [0:" << (is_bounded ? general(pmax) : "*") << "]\n";
+      << "'\nset cblabel 'pressure, MPa' offset 1\nset key off\nset cbrange [0:"
+      << (is_bounded ? general(pmax) : "*") << "]\n";
   write_axes(out, side, axes);
   // Labels of neighbours stand above and below in turn.
   bool above = true;
@@ -291,7 +288,8 @@ void plot_pressure(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
     const std::string shifted = " using ($1+(" + general(patch.across, 9) + ")):2";
     items.push_back(patch.block + shifted + ":($3 > 0 ? $3 : NaN) with image");
     if (patch.has_contours) {
-      items.push_back(patch.contours() + shifted + " with lines lc rgb '#404040' lw 0.8");
+      items.push_back(patch.contours() + shifted + " with lines lw 0.8 lc rgb '" + colour::contour +
+                      '\'');
     }
     centres.push_back(patch.across + patch.in_plane(patch.centroid_y, patch.centroid_z));
     along.push_back(patch.centroid_x);
@@ -299,7 +297,6 @@ void plot_pressure(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
   items.push_back(gnuplot.block(centres, along) + " with points pt 2 ps 1 lw 1.5 lc rgb 'black'");
   gnuplot.plot(items);
   end_axes(out);
-  out << "set rmargin -1\n";
 }
 
 /// The tractions of all patches of a side as arrows, on areas of slip and adhesion.
@@ -329,8 +326,7 @@ void plot_tractions(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
   for (const DrawnPatch& patch : side.patches) {
     const std::string place = "($1+(" + general(patch.across, 9) + ")):2";
     for (const std::string& block : patch.areas) {
-      items.push_back(block + " using " + place +
-                      ":3:4:5 with boxxyerror fs solid noborder lc rgb variable notitle");
+      items.push_back(block + " using " + place + ":3:4:5:6 with rgbalpha notitle");
     }
   }
   // Arrows of neighbours touch where the traction is largest.
@@ -343,9 +339,8 @@ void plot_tractions(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
                       "*$4) with vectors head size screen 0.004,20 lc rgb '#303030' lw 1 notitle");
     }
   }
-  items.push_back(std::string("NaN with boxes fs solid lc rgb ") + adhesion_colour +
-                  " title 'adhesion'");
-  items.push_back(std::string("NaN with boxes fs solid lc rgb ") + slip_colour + " title 'slip'");
+  items.emplace_back("NaN with boxes fs solid lc rgb '#cfe2f3' title 'adhesion'");
+  items.emplace_back("NaN with boxes fs solid lc rgb '#f6c7b6' title 'slip'");
   gnuplot.plot(items);
   end_axes(out);
 }
@@ -402,13 +397,22 @@ void draw_scene(const Scene& scene, const std::filesystem::path& path,
       },
       [&](const DrawnSide& side, bool) { plot_stress(gnuplot, scene, side.name); });
   std::erase_if(rows, [](const PanelRow& row) { return row.sides.empty(); });
-  gnuplot.script() << "set grid lc rgb '#dddddd'\nset tics out nomirror\n" << pressure_palette;
-  gnuplot.begin_multiplot(std::max<std::size_t>(rows.size(), 1), sides.size());
-  const WarningNote note(warnings, std::max<std::size_t>(sides.size(), 1));
+  // The same margins in all rows: panels stand below each other.
+  gnuplot.script() << map_palette
+                   << "set colorbox user origin graph 1.03, graph 0 size graph 0.05, graph 1\nset "
+                      "lmargin 9\nset rmargin "
+                   << colour_box_margin << '\n';
+  // The panels of a single wheel stand side by side.
+  const bool beside = sides.size() == 1 && rows.size() > 1;
+  const std::size_t columns = beside ? 2 : std::max<std::size_t>(sides.size(), 1);
+  const std::size_t lines =
+      beside ? (rows.size() + 1) / columns : std::max<std::size_t>(rows.size(), 1);
+  gnuplot.begin_multiplot(lines, columns);
+  const WarningNote note(warnings, columns);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const PanelRow& row = rows[i];
     const bool alone = row.sides.size() < sides.size();
-    bool noted = i + 1 < rows.size();
+    bool noted = i != (lines - 1) * (beside ? columns : 1);
     for (const DrawnSide* side : row.sides) {
       if (alone) { // on the whole row
         gnuplot.script() << "set size 1," << 1.0 / static_cast<double>(rows.size())
@@ -423,8 +427,8 @@ void draw_scene(const Scene& scene, const std::filesystem::path& path,
     }
     gnuplot.script() << (alone ? "set multiplot next\n" : "");
   }
-  const int columns = std::max(static_cast<int>(sides.size()), 1);
-  gnuplot.draw(path, 650 * columns, 450 * static_cast<int>(rows.size()) + note.height());
+  gnuplot.draw(path, 650 * static_cast<int>(columns),
+               450 * static_cast<int>(lines) + note.height());
 }
 
 } // namespace driver

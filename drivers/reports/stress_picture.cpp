@@ -34,16 +34,17 @@ void plot_stress(Gnuplot& gnuplot, const Scene& scene, const std::string& side) 
   const double depth = scene.number(patch.prefix + "stress.depth");
   const double place = scene.number(patch.prefix + (across ? "stress.across" : "stress.along"));
   const std::string block = gnuplot.block(data.str());
-  out << "set size noratio\nset rmargin " << colour_box_margin << "\nset title '" << side
-      << " wheel, in the " << scene.get_text("stress.body") << ": von Mises " << fixed(greatest, 0)
-      << " MPa, " << fixed(depth, 2) << " mm below the surface'\nset xlabel '"
+  out << "set size noratio\nset title '" << side << " wheel, in the "
+      << scene.get_text("stress.body") << ": von Mises " << fixed(greatest, 0) << " MPa, "
+      << fixed(depth, 2) << " mm below the surface'\nset xlabel '"
       << (across ? "across the patch, mm (to the field side)" : "along the patch, mm (forward)")
       << "'\nset ylabel 'depth, mm'\nset cblabel 'von Mises stress, MPa' offset 1\n"
       << "set xrange [" << places.front() << ':' << places.back() << "]\nset yrange ["
       << depths.back() << ":0]\nset cbrange [0:" << greatest << "]\nset key off\n";
+  gnuplot.script() << contour_lines(block, greatest);
   gnuplot.plot({block + " using 1:2:3 with image",
+                block + "_contours using 1:2 with lines lw 0.8 lc rgb '" + colour::contour + '\'',
                 gnuplot.block({place}, {depth}) + " with points pt 2 ps 1.5 lw 2 lc rgb 'black'"});
-  out << "set rmargin -1\n";
 }
 
 } // namespace driver

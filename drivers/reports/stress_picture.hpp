@@ -11,6 +11,6 @@ namespace driver {
 /// Draws the section with the greatest stress of a side, which has one.
 void plot_stress(Gnuplot& gnuplot, const Scene& scene, const std::string& side);
 /// Letters beside the colours of a panel, for their numbers and label.
-inline constexpr int colour_box_margin = 7;
+inline constexpr int colour_box_margin = 15;
 
 } // namespace driver

@@ -203,22 +203,40 @@ int legend_width(std::size_t lines) {
   return lines > most_above ? beside : 0;
 }
 
+const char* const axes_style = "set grid back lt 1 lw 1 lc rgb '#d8d8d8'\nset tics out "
+                               "nomirror\nset border lc rgb '#404040'\n";
+
 std::string line_style(std::size_t lines) {
-  return std::string("set grid back lt 1 lw 1 lc rgb '#d8d8d8'\nset tics out nomirror\n"
-                     "set lmargin 13\n") +
+  return std::string(axes_style) + "set lmargin 13\n" +
          (legend_width(lines) > 0 ? "set key outside right top vertical\n"
                                   : "set rmargin 3\nset key outside top center horizontal\n");
 }
 
-const char* const pressure_palette =
-    "set palette defined (0 '#e8f0ff', 0.25 '#6fa8dc', 0.5 '#3d85c6', 0.7 '#f1c232', 0.85 "
-    "'#e69138', 1 '#990000')\n";
+const char* const map_palette =
+    "set palette defined (0 '#fdf3c8', 0.25 '#fcc75a', 0.5 '#f28934', 0.75 '#cc3d3d', 1 "
+    "'#6b1446')\n";
+
+std::string contour_lines(const std::string& block, double largest) {
+  constexpr double edge = 0.05;
+  std::string levels = text_of(edge * largest);
+  for (const double share : {0.2, 0.4, 0.6, 0.8}) {
+    levels += ',' + text_of(share * largest);
+  }
+  return "set contour base\nunset surface\nset cntrparam levels discrete " + levels +
+         "\nset table " + block + "_contours\nsplot " + block +
+         " using 1:2:3 with lines\nunset table\nunset contour\nset surface\n";
+}
 
 void Range::include(double value) {
   if (!std::isnan(value)) {
     least = std::min(least, value);
     greatest = std::max(greatest, value);
   }
+}
+
+void Range::include(const Range& other) {
+  least = std::min(least, other.least);
+  greatest = std::max(greatest, other.greatest);
 }
 
 std::string Range::command(const std::string& axis) const {
@@ -233,6 +251,34 @@ std::string Range::command(const std::string& axis) const {
   return "set " + axis + "range [" + text_of(from - beyond) + ':' + text_of(to + beyond) + "]\n";
 }
 
+Range range_of_most(std::vector<double> values) {
+  constexpr std::size_t fewest = 10; // of which any may be what matters
+  constexpr double share = 0.9;      // of the values, on each side
+  constexpr double far = 1.5;        // in ranges of these
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  std::sort(values.begin(), values.end());
+  Range all;
+  Range most;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double rank = (static_cast<double>(i) + 0.5) / static_cast<double>(values.size());
+    all.include(values[i]);
+    if (std::abs(rank - 0.5) <= share - 0.5) {
+      most.include(values[i]);
+    }
+  }
+  if (values.size() < fewest || most.length() <= 0.0) {
+    return all;
+  }
+  Range shown = most;
+  for (const double value : values) {
+    if (value >= most.least - far * most.length() && value <= most.greatest + far * most.length()) {
+      shown.include(value);
+    }
+  }
+  constexpr double worth_it = 2.0; // times the range
+  return all.length() > worth_it * shown.length() ? shown : all;
+}
+
 Gnuplot::Gnuplot() {
   script_.precision(9);
 }
@@ -241,7 +287,7 @@ void Gnuplot::begin_multiplot(std::size_t rows, std::size_t columns, const std::
   multiplot_ = true;
   script_ << "set multiplot layout " << rows << ',' << columns;
   if (!title.empty()) { // the line below it is empty but not nothing
-    script_ << " title (" << gnuplot_text(title, Markup::subscripts) << ".\"\\n \") font ',12'";
+    script_ << " title (" << gnuplot_text(title, Markup::subscripts) << ".\"\\n \")";
   }
   script_ << '\n';
 }
@@ -283,8 +329,12 @@ void Gnuplot::draw(const std::filesystem::path& path, int width, int height) con
   OutputFile file(path);
   std::ostringstream whole;
   whole << "set terminal " << terminal << " size " << width << ',' << height
-        << " enhanced font 'DejaVu Sans,10' background rgb 'white'\nset encoding utf8\n"
-        << script_.str() << (multiplot_ ? "\nunset multiplot" : "") << "\nunset output\n";
+        << " enhanced font 'DejaVu Sans,10' background rgb 'white'\nset encoding utf8\n";
+  for (std::size_t i = 0; i < 6; ++i) { // of lines that name no colour
+    whole << "set linetype " << i + 1 << " lc rgb '" << line_colour(i) << "'\n";
+  }
+  whole << axes_style << script_.str() << (multiplot_ ? "\nunset multiplot" : "")
+        << "\nunset output\n";
   const std::string trouble = run_gnuplot(whole.str(), file.aside());
   if (!trouble.empty()) {
     throw Failure("--plot " + path.string() + ": " + trouble);

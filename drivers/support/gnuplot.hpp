@@ -31,18 +31,33 @@ std::string without_markup(const std::string& text);
 /// Colours of `count` lines in a picture: up to six that colour-blind readers can distinguish, more
 /// along the rainbow.
 std::string line_colour(std::size_t index, std::size_t count = 1);
-/// Axes, grid and legend as all pictures of lines have them.
+/// Colours that most pictures need. python_bindings/wrcontact/plot.py has the same.
+namespace colour {
+inline constexpr const char* rail = "#8b5a2b";
+inline constexpr const char* wheel = "#1f4e9e";
+inline constexpr const char* marked = "#c00000"; ///< what the reader is to look at
+inline constexpr const char* quiet = "#909090";  ///< what others are compared with
+inline constexpr const char* contour = "#404040";
+} // namespace colour
+/// Axes and grid as all pictures have them.
+extern const char* const axes_style;
+/// The same with the legend of lines.
 std::string line_style(std::size_t lines);
 /// Pixels beside the lines for a legend of more than six; 0 for fewer, whose legend is above.
 int legend_width(std::size_t lines);
-/// Colours of pressures, from none to the largest.
-extern const char* const pressure_palette;
+/// Colours of areas, from none to the largest: each is darker than those before.
+extern const char* const map_palette;
+
+/// Commands that make the block "..._contours" of a block of data over a grid: lines at the edge of
+/// what is above 0, and at fifths of the largest value.
+std::string contour_lines(const std::string& block, double largest);
 
 /// From the least to the greatest value taken in.
 class Range {
 public:
   /// NaN is left out.
   void include(double value);
+  void include(const Range& other);
   [[nodiscard]] bool empty() const { return least > greatest; }
   [[nodiscard]] double middle() const { return 0.5 * (least + greatest); }
   [[nodiscard]] double length() const { return greatest - least; }
@@ -52,6 +67,10 @@ public:
   double least = std::numeric_limits<double>::infinity();
   double greatest = -std::numeric_limits<double>::infinity();
 };
+
+/// The range of a scale: of all values, but without those far beyond nine tenths of them, such as
+/// pressures of a flange that would leave those of the tread without colours or height.
+Range range_of_most(std::vector<double> values);
 
 class Gnuplot {
 public:

@@ -62,8 +62,7 @@ void draw_surface(const Profile& profile, std::int64_t sheets, const std::string
                    << (is_wheel ? "'angle, rad'" : "'along the track, mm'")
                    << "\nset ylabel 'lateral, mm'\nset zlabel 'height, mm' rotate\n"
                    << "set xyplane 0.05\nset view 55, 320\nset pm3d depthorder lighting\n"
-                   << "set palette defined (0 '#1f4e9e', 0.5 '#a8c8e8', 1 '#f1a340')\n"
-                   << "set cblabel 'height, mm'\nsplot " << items << '\n';
+                   << map_palette << "set cblabel 'height, mm'\nsplot " << items << '\n';
   gnuplot.draw(path, surface_width, surface_height);
 }
 

@@ -295,10 +295,11 @@ void plot_bands(Gnuplot& gnuplot, const std::vector<Position>& positions, double
   std::vector<std::string> items;
   if (!strokes.str().empty()) {
     items.push_back(gnuplot.block(strokes.str()) +
-                    " with vectors nohead lw 7 lc rgb '#6fa8dc' title 'pressed'");
+                    " with vectors nohead lw 7 lc rgb '#a8c8e8' title 'pressed'");
   }
   if (const std::string block = line_over(gnuplot, positions, touch, range); !block.empty()) {
-    items.push_back(block + " with points pt 7 ps 0.6 lc rgb '#c00000' title 'first touch'");
+    items.push_back(block + " with points pt 7 ps 0.6 lc rgb '" + colour::marked +
+                    "' title 'first touch'");
   }
   label_panel(gnuplot, label, range);
   gnuplot.plot(items);

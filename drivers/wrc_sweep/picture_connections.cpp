@@ -94,9 +94,10 @@ void plot_side(Gnuplot& gnuplot, const PictureRequest& picture, const PictureDat
                    << "set ylabel 'track z, mm'\nset xrange [" << middle + half_width << ':'
                    << middle - half_width << "]\nset yrange [-25:60]\nset size ratio -1\n";
   gnuplot.plot(
-      {gnuplot.block(lines) + " with lines lw 1.5 lc rgb '#d55e00' title 'touch each other'",
-       rail + " with lines lw 2 lc rgb '#8b5a2b' title 'rail'",
-       wheel + " with lines lw 2 lc rgb '#1f4e9e' title 'wheel'",
+      {gnuplot.block(lines) + " with lines lw 1.5 lc rgb '" + colour::marked +
+           "' title 'touch each other'",
+       rail + " with lines lw 2 lc rgb '" + colour::rail + "' title 'rail'",
+       wheel + " with lines lw 2 lc rgb '" + colour::wheel + "' title 'wheel'",
        gnuplot.block(leaders) + " with lines lw 0.5 lc rgb '#b0b0b0' title ''",
        gnuplot.block(labels) + " using 1:2:3 with labels offset 0,0.4 font ',8' title ''"});
 }
@@ -116,9 +117,7 @@ void draw_connections(const PictureRequest& picture, const PictureData& data,
   centred.solve();
   Gnuplot gnuplot;
   gnuplot.begin_multiplot(1, picture.sides.size(), picture.title);
-  gnuplot.script() << "set grid back lt 1 lw 1 lc rgb '#e4e4e4'\nset tics out nomirror\n"
-                      "set key outside top center horizontal\n"
-                   << warning_note(data);
+  gnuplot.script() << "set key outside top center horizontal\n" << warning_note(data);
   for (const std::string& side : picture.sides) {
     plot_side(gnuplot, picture, data, centred, side);
     gnuplot.script() << end_of_warning_note();

@@ -30,7 +30,8 @@ std::string joined(const std::string& one, const std::string& other) {
 }
 
 std::vector<DrawnLine> lines_of(const PictureRequest& picture, const PictureData& data,
-                                const PanelRequest& panel, Range& range, bool& are_whole) {
+                                const PanelRequest& panel, std::vector<double>& values,
+                                Range& range, bool& are_whole) {
   std::vector<DrawnLine> lines;
   const std::vector<double> x = places_of(picture, data);
   const std::vector<SeriesEntry> series = series_of(picture, data);
@@ -38,11 +39,14 @@ std::vector<DrawnLine> lines_of(const PictureRequest& picture, const PictureData
     const Values& where = series[group].where;
     for (std::size_t i = 0; i < panel.lines.size(); ++i) {
       const auto y = line_of(picture, data, where, panel.lines[i].result);
+      std::vector<double> own;
       for (const double value : y) {
-        range.include(panel.y_factor * value);
+        own.push_back(panel.y_factor * value);
         are_whole = are_whole && (std::isnan(value) ||
                                   std::rint(panel.y_factor * value) == panel.y_factor * value);
       }
+      values.insert(values.end(), own.begin(), own.end());
+      range.include(range_of_most(own));
       const auto spoiled = spoiled_places_of(picture, data, where, panel.lines[i].result);
       std::vector<double> y_spoiled;
       for (const double place : spoiled) {
@@ -88,10 +92,11 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
   constexpr std::size_t most_large = 60; // marks in a line
   const std::string mark_size = places_of(picture, data).size() > most_large ? "0.4" : "0.9";
   for (const PanelRequest& panel : picture.panels) {
-    Range range;
+    std::vector<double> values;
     bool are_whole = true;
     std::vector<std::string> items;
-    const std::vector<DrawnLine> lines = lines_of(picture, data, panel, range, are_whole);
+    Range range;
+    const std::vector<DrawnLine> lines = lines_of(picture, data, panel, values, range, are_whole);
     for (const DrawnLine& line : lines) {
       constexpr std::size_t marks = 4;
       items.push_back(
@@ -107,7 +112,9 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
                         (mark_size == "0.9" ? "0.45" : "0.2") + " lc rgb 'white' notitle");
       }
     }
-    gnuplot.script() << "set ylabel " << gnuplot_text(panel.y_label, Markup::subscripts) << '\n'
+    gnuplot.script() << "set ylabel "
+                     << gnuplot_text(panel.y_label + beyond_note(values, range), Markup::subscripts)
+                     << '\n'
                      << y_axis(range, are_whole);
     gnuplot.plot(items);
     gnuplot.script() << end_of_warning_note();

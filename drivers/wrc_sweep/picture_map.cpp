@@ -7,7 +7,7 @@ namespace {
 
 /// Rows of values, positions along x first: gnuplot's nonuniform matrix.
 std::string matrix_of(const PictureRequest& picture, const PictureData& data,
-                      const PanelRequest& panel) {
+                      const PanelRequest& panel, std::vector<double>& values) {
   const std::vector<double> x = places_of(picture, data);
   const std::vector<double> y = data.numbers_of(picture.series.front());
   std::string text = text_of(static_cast<double>(x.size()));
@@ -19,7 +19,8 @@ std::string matrix_of(const PictureRequest& picture, const PictureData& data,
     Values where = picture.where;
     where.insert_or_assign(picture.series.front(), place);
     for (const double value : line_of(picture, data, where, panel.lines.front().result)) {
-      const std::string shown = text_of(panel.y_factor * value);
+      values.push_back(panel.y_factor * value);
+      const std::string shown = text_of(values.back());
       text += ' ' + (shown.empty() ? "NaN" : shown);
     }
   }
@@ -40,6 +41,16 @@ std::string spoiled_of(const PictureRequest& picture, const PictureData& data,
   return text;
 }
 
+/// The scale of colours, with contour lines at its tenths.
+std::string colour_range(const Range& range) {
+  if (range.empty() || range.length() <= 0.0) {
+    return "set autoscale cb\nset cntrparam levels auto 8\n";
+  }
+  const std::string limits = text_of(range.least) + ':' + text_of(range.greatest);
+  return "set cbrange [" + limits + "]\nset cntrparam levels incremental " + text_of(range.least) +
+         ',' + text_of(0.125 * range.length()) + ',' + text_of(range.greatest) + '\n';
+}
+
 } // namespace
 
 void draw_map(const PictureRequest& picture, const PictureData& data,
@@ -51,24 +62,29 @@ void draw_map(const PictureRequest& picture, const PictureData& data,
   const std::size_t rows = (picture.panels.size() + columns - 1) / columns;
   Gnuplot gnuplot;
   gnuplot.begin_multiplot(rows, columns, picture.title);
-  gnuplot.script() << pressure_palette
+  gnuplot.script() << map_palette
                    << "set view map\nset pm3d interpolate 8,8\nset contour base\n"
-                      "set cntrparam cubicspline points 8 levels auto 8\nset tics out nomirror\n"
+                      "set cntrparam cubicspline points 8\n"
                       "set cntrlabel onecolor\nunset key\nset lmargin 13\nset xlabel "
                    << gnuplot_text(picture.x_label, Markup::subscripts) << "\nset ylabel "
                    << gnuplot_text(series_label(picture), Markup::subscripts) << '\n'
                    << warning_note(data, "by crosses");
   for (const PanelRequest& panel : picture.panels) {
-    const std::string block = gnuplot.block(matrix_of(picture, data, panel));
+    std::vector<double> values;
+    const std::string block = gnuplot.block(matrix_of(picture, data, panel, values));
+    const Range range = range_of_most(values);
     const std::string spoiled = spoiled_of(picture, data, panel);
     const std::string marks =
         spoiled.empty() ? ""
                         : ", " + gnuplot.block(spoiled) +
                               " using 1:2:3 with points pt 2 ps 0.7 lc rgb 'black' nocontour";
-    gnuplot.script() << "set title " << gnuplot_text(panel.y_label, Markup::subscripts)
-                     << "\nsplot " << block << " nonuniform matrix with pm3d nocontour, " << block
-                     << " nonuniform matrix with lines lw 1 lc rgb '#404040' nosurface" << marks
+    gnuplot.script() << "set title "
+                     << gnuplot_text(panel.y_label + beyond_note(values, range), Markup::subscripts)
                      << '\n'
+                     << colour_range(range) << "splot " << block
+                     << " nonuniform matrix with pm3d nocontour, " << block
+                     << " nonuniform matrix with lines lw 0.8 lc rgb '" << colour::contour
+                     << "' nosurface" << marks << '\n'
                      << end_of_warning_note();
   }
   gnuplot.draw(path, width * static_cast<int>(columns),

@@ -6,13 +6,13 @@
 
 #include "support/gnuplot.hpp"
 #include "support/numbers.hpp"
+#include "support/refined_map.hpp"
 #include "wrc_sweep/pictures.hpp"
 
 namespace driver {
 namespace {
 
-/// Patches cut down to their elements under pressure, each in its own plane: mm, positive to the
-/// left and forwards.
+/// Patches, each in its own plane: mm, positive to the left and forwards.
 struct Cell {
   std::vector<std::string> maps; ///< blocks of data
   Range lateral;                 ///< extent of all maps
@@ -51,44 +51,36 @@ public:
       centre_y_ += pressure_[i] * y_[i];
       centre_z_ += pressure_[i] * z_[i];
     }
-    if (force > 0.0) {
+    is_empty_ = !(force > 0.0);
+    if (!is_empty_) {
       centre_y_ /= force;
       centre_z_ /= force;
-    }
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      if (pressure_[i] > 0.0) {
-        first_row_ = std::min(first_row_, i / columns);
-        last_row_ = std::max(last_row_, i / columns);
-        first_column_ = std::min(first_column_, i % columns);
-        last_column_ = std::max(last_column_, i % columns);
-      }
     }
   }
 
   [[nodiscard]] double centre_y() const { return centre_y_; }
   [[nodiscard]] double centre_z() const { return centre_z_; }
-  [[nodiscard]] bool empty() const { return first_row_ > last_row_; }
+  [[nodiscard]] bool empty() const { return is_empty_; }
 
-  /// The values; `shift` is where the centre of the patch lies in its cell.
+  /// The values on a finer grid; `shift` is where the centre of the patch lies in its cell.
   [[nodiscard]] std::string data(double shift, Cell& cell) const {
-    const auto columns = static_cast<std::size_t>(patch_.columns);
+    const RefinedMap map(x_.size() / static_cast<std::size_t>(patch_.columns),
+                         static_cast<std::size_t>(patch_.columns));
+    const auto x = map.linear(x_);
+    const auto y = map.linear(y_);
+    const auto z = map.linear(z_);
+    const auto pressure = map.pressure(pressure_);
     std::ostringstream out;
     out.precision(9);
-    for (std::size_t row = first_row_; row <= last_row_; ++row) {
-      for (std::size_t column = first_column_; column <= last_column_; ++column) {
-        const std::size_t i = row * columns + column;
-        const double s = shift + (y_[i] - centre_y_) * along_y_ + (z_[i] - centre_z_) * along_z_;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double s = shift + (y[i] - centre_y_) * along_y_ + (z[i] - centre_z_) * along_z_;
+      out << s << ' ' << x[i] << ' ' << pressure[i] << '\n'
+          << ((i + 1) % map.columns() == 0 ? "\n" : "");
+      if (pressure[i] > 0.0) {
         cell.lateral.include(s);
-        cell.longitudinal.include(x_[i]);
-        out << s << ' ' << x_[i] << ' ';
-        if (pressure_[i] > 0.0) {
-          cell.highest = std::max(cell.highest, pressure_[i]);
-          out << pressure_[i] << '\n';
-        } else {
-          out << "NaN\n";
-        }
+        cell.longitudinal.include(x[i]);
+        cell.highest = std::max(cell.highest, pressure[i]);
       }
-      out << '\n';
     }
     return out.str();
   }
@@ -103,10 +95,7 @@ private:
   double along_z_ = 0.0;
   double centre_y_ = 0.0;
   double centre_z_ = 0.0;
-  std::size_t first_row_ = std::numeric_limits<std::size_t>::max();
-  std::size_t last_row_ = 0;
-  std::size_t first_column_ = std::numeric_limits<std::size_t>::max();
-  std::size_t last_column_ = 0;
+  bool is_empty_ = true;
 };
 
 Cell cell_of(Gnuplot& gnuplot, const PictureData& data, std::int64_t scene, std::size_t side) {
@@ -204,15 +193,13 @@ void write_frame(std::ostream& out, const PictureRequest& picture, const Layout&
   constexpr double bar = 10.0;
   const double scale_y = -layout.height - 0.5 * Layout::foot;
   out << "unset key\nunset tics\nunset border\nset size ratio -1\nset title "
-      << gnuplot_text(picture.title, Markup::subscripts)
-      << " font ',12'\nset cblabel 'pressure, MPa" << (cut ? " (darkest: this and more)" : "")
-      << "' offset 1\nset cbtics\n"
-      << pressure_palette << "set xrange [" << -layout.margin << ':' << layout.width
-      << "]\nset yrange [" << -layout.height - Layout::foot << ':' << Layout::head
-      << "]\nset cbrange [0:" << darkest << "]\nset label "
-      << gnuplot_text(picture.x_label + ':', Markup::subscripts) << " at " << -layout.margin << ','
-      << 0.5 * Layout::head << "\nset arrow from 0," << scale_y << " rto " << bar
-      << ",0 heads size 1,90 lw 1.5\n"
+      << gnuplot_text(picture.title, Markup::subscripts) << "\nset cblabel 'pressure, MPa"
+      << (cut ? " (darkest: this and more)" : "") << "' offset 1\nset cbtics\n"
+      << map_palette << "set xrange [" << -layout.margin << ':' << layout.width << "]\nset yrange ["
+      << -layout.height - Layout::foot << ':' << Layout::head << "]\nset cbrange [0:" << darkest
+      << "]\nset label " << gnuplot_text(picture.x_label + ':', Markup::subscripts) << " at "
+      << -layout.margin << ',' << 0.5 * Layout::head << "\nset arrow from 0," << scale_y << " rto "
+      << bar << ",0 heads size 1,90 lw 1.5\n"
       << "set label '10 mm; left is left, forward is up; below each patch p_{max} in MPa' at "
       << bar + 2.0 << ',' << scale_y << '\n';
 }
@@ -237,7 +224,7 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
   };
   for (std::size_t j = 0; j < columns.size(); ++j) {
     out << "set label '" << text_of(picture.x_factor * columns[j]) << "' at " << column_middle(j)
-        << ',' << 0.5 * Layout::head << " center font ',11'\n";
+        << ',' << 0.5 * Layout::head << " center\n";
   }
   std::vector<std::string> items;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -256,12 +243,12 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
               : is_drawn             ? "no bound"
                                      : "failed")
           << (cell.spoiled ? " (!)" : "") << "' at " << column_middle(j) << ','
-          << y - 0.5 * layout.cell_height + 2.0 << " center font ',9'\n";
+          << y - 0.5 * layout.cell_height + 2.0 << " center\n";
       // Each contact in the middle of its cell, wherever it lies on the wheel.
       for (const std::string& map : cell.maps) {
         items.push_back(map + " using (" + text_of(column_middle(j) + cell.lateral.middle()) +
                         "-$1):($2+(" + text_of(y + 1.0 - cell.longitudinal.middle()) +
-                        ")):3 with image");
+                        ")):($3 > 0 ? $3 : NaN) with image");
       }
     }
   }

@@ -190,7 +190,7 @@ void draw_ranking(const PictureRequest& picture, const PictureData& data,
   Gnuplot gnuplot;
   gnuplot.begin_multiplot(1, picture.panels.size(), picture.title);
   std::ostream& out = gnuplot.script();
-  out << "set tics out nomirror\nset grid x lt 1 lw 1 lc rgb '#d8d8d8'\nunset key\nset ytics (";
+  out << "set grid noy\nunset key\nset ytics (";
   for (std::size_t i = 0; i < entries.size(); ++i) {
     letters = std::max(letters, entries[i].entry.shown.size());
     out << (i > 0 ? ", " : "") << tic_text(entries[i].entry.title) << ' ' << i + 1;
@@ -222,7 +222,7 @@ void draw_ranking(const PictureRequest& picture, const PictureData& data,
     } else {
       gnuplot.plot({block + " using ($1/2):2:($1/2):(0.35) with boxxyerror lc rgb '" +
                         line_colour(k, picture.panels.size()) + '\'',
-                    block + " using 1:2:3 with labels left offset 0.5,0 font ',9'"});
+                    block + " using 1:2:3 with labels left offset 0.5,0"});
     }
     out << end_of_warning_note();
   }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "support/gnuplot.hpp"
+#include "support/numbers.hpp"
 
 namespace driver {
 
@@ -99,12 +100,23 @@ std::string warning_note(const PictureData& data, const std::string& marks, bool
   }
   const bool loud = data.warnings().scenes(WRC_DO_NOT_USE) > 0;
   return (has_axes ? "set bmargin 5\n" : "") + ("set label 9999 '" + brief) +
-         "' at screen 0.006,character 0.7 left font ',9' tc rgb '" +
-         (loud ? "#b00000" : "#606060") + "' front\n";
+         "' at screen 0.006,character 0.7 left tc rgb '" + (loud ? "#b00000" : "#606060") +
+         "' front\n";
 }
 
 std::string end_of_warning_note() {
   return "unset label 9999\n";
+}
+
+std::string beyond_note(const std::vector<double>& values, const Range& range) {
+  Range all;
+  for (const double value : values) {
+    all.include(value);
+  }
+  const std::string low = all.least < range.least ? "down to " + general(all.least, 4) : "";
+  const std::string high = all.greatest > range.greatest ? "up to " + general(all.greatest, 4) : "";
+  const std::string both = low + (low.empty() || high.empty() ? "" : ", ") + high;
+  return both.empty() ? "" : " (" + both + ')';
 }
 
 namespace {

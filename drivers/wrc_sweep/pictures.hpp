@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "support/gnuplot.hpp"
 #include "wrc_sweep/journal.hpp"
 
 namespace driver {
@@ -54,6 +55,9 @@ std::vector<double> spoiled_places_of(const PictureRequest& picture, const Pictu
 std::string warning_note(const PictureData& data, const std::string& marks = "",
                          bool has_axes = true);
 std::string end_of_warning_note();
+
+/// Says where values go that lie outside a scale, such as " (up to 9256)"; empty if none does.
+std::string beyond_note(const std::vector<double>& values, const Range& range);
 
 /// One combination of values of a picture's series.
 struct SeriesEntry {

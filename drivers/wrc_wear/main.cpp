@@ -146,20 +146,22 @@ Worn worn_by(Scene scene, const Passage& passage) {
 
 void draw(const WornProfile& profile, const std::string& path, const std::string& title) {
   Gnuplot gnuplot;
-  gnuplot.script() << "set grid lc rgb '#dddddd'\nset tics out nomirror\n";
   gnuplot.begin_multiplot(2, 1, title);
-  gnuplot.script() << "set xrange [-45:45]\nset yrange [*:*] reverse\nset size ratio -1\n"
+  gnuplot.script() << "set lmargin 9\nset rmargin 3\nset xrange [-45:45]\nset yrange [*:*] "
+                      "reverse\nset size ratio -1\n"
                       "set ylabel 'larger radius downwards, mm'\nset key bottom right\n"
                       "set xlabel 's from the taping line, mm (to the field side)'\n";
   const auto heights = [&](const wrcontact::Profile::Points& points) {
     return gnuplot.block(points.lateral, points.height);
   };
-  gnuplot.plot({heights(profile.fresh()) + " with lines lw 1.5 lc rgb '#909090' title 'new'",
-                heights(profile.points()) + " with lines lw 2 lc rgb '#d00000' title 'worn'"});
+  gnuplot.plot(
+      {heights(profile.fresh()) + " with lines lw 1.5 lc rgb '" + colour::quiet + "' title 'new'",
+       heights(profile.points()) + " with lines lw 2 lc rgb '" + colour::marked +
+           "' title 'worn'"});
   gnuplot.script() << "set size noratio\nset yrange [0:*] noreverse\n"
                       "set ylabel 'worn off along the normal, mm'\n";
   gnuplot.plot({gnuplot.block(profile.fresh().lateral, profile.depths()) +
-                " with lines lw 2 lc rgb '#d00000' notitle"});
+                " with lines lw 2 lc rgb '" + colour::marked + "' notitle"});
   gnuplot.draw(path, 900, 900);
 }
 

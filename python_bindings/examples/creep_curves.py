@@ -3,6 +3,7 @@
 Of Kalker's full theory and of two cheaper models in scenes (left wheel, 80 kN, centred), and of an
 ellipse of pressures given by hand. Writes creep_curves.png.
 """
+import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 
@@ -31,6 +32,7 @@ for row, creepage in enumerate(creepages):
     values = [*shares.values[:, row], spinning[row]]
     print(f"{creepage:8.4f}  " + "  ".join(f"{value:8.3f}" for value in values))
 
+matplotlib.rcParams.update(wrcontact.picture_style())
 figure = Figure(figsize=(7, 4.5), layout="constrained")
 axes = figure.subplots()
 for name in shares["solve.creep"].values:
@@ -38,6 +40,5 @@ for name in shares["solve.creep"].values:
 axes.plot(creepages, spinning, "--", label="full, with spin 0.1 / m")
 axes.set(xlabel="longitudinal creepage", ylabel="force / (friction x normal force)",
          title="S1002 on 60E1, left wheel, 80 kN", xlim=(0, None), ylim=(0, 1.05))
-axes.grid(color="#dddddd")
 axes.legend()
 figure.savefig("creep_curves.png", dpi=110)

@@ -7,6 +7,7 @@ side, wheelset_farthest.png.
 import warnings
 
 import numpy as np
+import matplotlib
 from matplotlib.figure import Figure
 
 import wrcontact
@@ -42,6 +43,7 @@ farthest = track[np.argmax(np.abs(track[:, 2]))]
 print(f"farthest: {farthest[2]:.3f} mm at {farthest[0]:.2f} m")
 print(f"at the end: {lateral:.3f} mm, yaw {1e3 * yaw:.4f} mrad")
 
+matplotlib.rcParams.update(wrcontact.picture_style())
 figure = Figure(figsize=(7, 7), layout="constrained")
 panels = figure.subplots(3, 1, sharex=True)
 panels[0].plot(track[:, 0], track[:, 1], "--", label="left rail")
@@ -52,8 +54,6 @@ panels[1].set(ylabel="yaw, mrad")
 panels[2].plot(track[:, 0], track[:, 4], label="left wheel")
 panels[2].plot(track[:, 0], track[:, 5], label="right wheel")
 panels[2].set(ylabel="lateral force on wheel, kN", xlabel="along the track, m")
-for panel in panels:
-    panel.grid(color="#dddddd")
 for panel in panels[::2]:
     panel.legend()
 figure.savefig("wheelset_on_track.png", dpi=110)

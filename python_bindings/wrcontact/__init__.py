@@ -18,6 +18,7 @@ from .errors import (AccuracyNote, Busy, ContactWarning, Error, FileMalformed, F
                      UnknownName)
 from .measures import Comparison, Dimensions
 from .grid import NormalContact, RollingContact
+from .plot import picture_style
 from .profile import Profile, ProfilePoint, standard_profiles
 from .report import report
 from .result import FrozenResult, Group, Result
@@ -31,6 +32,6 @@ __all__ = [
     "AccuracyNote", "Busy", "Comparison", "Conicity", "ContactWarning", "Dimensions", "Equilibrium", "Error", "FileMalformed", "FileUnreadable", "FrozenResult", "Group", "History", "InternalError",
     "InvalidArgument", "Key", "NoContact", "NoResult", "NormalContact", "NotConverged",
     "OutOfMemory", "Profile", "ProfilePoint", "Result", "RollingContact", "Scene", "Solver", "Step",
-    "Table", "TableFacts", "TooSmall", "UnknownName", "key_of", "keys", "report", "solve", "solve_batch", "standard_profiles",
+    "Table", "TableFacts", "TooSmall", "UnknownName", "key_of", "keys", "picture_style", "report", "solve", "solve_batch", "standard_profiles",
     "study",
 ]

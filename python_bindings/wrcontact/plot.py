@@ -17,28 +17,47 @@ if TYPE_CHECKING:
     from .result import Result
 
 _RAIL, _WHEEL, _PLANE = "#8b5a2b", "#1f4e9e", "#c00000"
+_RAIL_BODY, _WHEEL_BODY = "#f3ebe3", "#e9eff8"
 _ADHESION, _SLIP = "#cfe2f3", "#f6c7b6"
 _HALF_PLANE = 9.0  # mm, drawn of the plane of a patch
 _AROUND = (45.0, 26.0, 34.0)  # mm beside, below and above the first touch
 _AROUND_PATCH = 15.0  # mm around its reference
+_ARROW = 20.0  # mm, of the largest force of a wheel
 _MOST_ARROWS = 14  # along and across a patch
 _ON_BOUND = 1.0 - 1e-6  # share of friction times pressure from which an element slips
 
 
+def picture_style() -> dict[str, Any]:
+    """Settings of matplotlib with which figures look like the pictures of the programs.
+
+    >>> with matplotlib.rc_context(wrcontact.picture_style()): ...
+
+    The colours are those of drivers/support/gnuplot.cpp.
+    """
+    from cycler import cycler
+
+    sizes = ("font.size", "axes.titlesize", "axes.labelsize", "legend.fontsize", "xtick.labelsize", "ytick.labelsize",
+             "figure.titlesize")
+    return {"axes.prop_cycle": cycler(color=["#0060ad", "#d55e00", "#009e73", "#7030a0", "#a08000", "#404040"]),
+            "axes.grid": True, "axes.axisbelow": True, "axes.edgecolor": "#404040", "grid.color": "#d8d8d8",
+            "legend.frameon": False, "font.family": "DejaVu Sans", **dict.fromkeys(sizes, 10.0)}
+
+
 def _figure(rows: int, columns: int, size: tuple[float, float]) -> tuple[Any, Any]:
     """A figure without a window, independent of the global state of matplotlib."""
+    import matplotlib
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(size[0] * columns, size[1] * rows), layout="constrained")
-    return figure, figure.subplots(rows, columns, squeeze=False)
+    with matplotlib.rc_context(picture_style()):
+        figure = Figure(figsize=(size[0] * columns, size[1] * rows), layout="constrained")
+        return figure, figure.subplots(rows, columns, squeeze=False)
 
 
 def _pressure_colours() -> Any:
     """Those of the pictures of the programs (drivers/support/gnuplot.cpp)."""
     from matplotlib.colors import LinearSegmentedColormap
 
-    stops = ((0.0, "#e8f0ff"), (0.25, "#6fa8dc"), (0.5, "#3d85c6"), (0.7, "#f1c232"),
-             (0.85, "#e69138"), (1.0, "#990000"))
+    stops = ((0.0, "#fdf3c8"), (0.25, "#fcc75a"), (0.5, "#f28934"), (0.75, "#cc3d3d"), (1.0, "#6b1446"))
     return LinearSegmentedColormap.from_list("pressure", stops)
 
 
@@ -60,7 +79,6 @@ def draw_profile(profile: Profile, path: str | os.PathLike[str] | None, ax: Any 
     axes.set_title(profile.title, parse_math=False)  # a file's name may hold $
     axes.set(aspect="equal", xlabel="lateral, mm (to the field side)",
              ylabel="height, mm" if profile.kind == "rail" else "larger radius, mm (downwards)")
-    axes.grid(color="#dddddd")
     return _save(figure, path)
 
 
@@ -138,14 +156,22 @@ def _direction(result: Result) -> float:
 def _draw_outlines(axes: Any, result: Result, side: str, units: list[str]) -> None:
     wheel, touch, up = result[side], result[side].rigid_contact, _direction(result)
     mm = 1.0 if units[0] == "mm" else 1e-3
-    axes.plot(wheel.rail_y, wheel.rail_z, color=_RAIL, label="rail")
-    axes.plot(wheel.wheel_y, wheel.wheel_z, color=_WHEEL, label="wheel")
+    for body, colour, fill, away in (("rail", _RAIL, _RAIL_BODY, -1e3), ("wheel", _WHEEL, _WHEEL_BODY, 1e3)):
+        y, z = wheel[f"{body}_y"], wheel[f"{body}_z"]
+        axes.fill_between(y, z, z + up * away * mm, color=fill, linewidth=0)
+        axes.plot(y, z, color=colour, label=body)
+    largest = max((patch.normal_force for patch in _patches(result, side)
+                   if f"{patch._prefix}normal_force" in result._names), default=0.0)
     for index, patch in enumerate(_patches(result, side)):
         along = _HALF_PLANE * mm * np.array([np.cos(patch.plane_angle), np.sin(patch.plane_angle)])
         y, z = patch.y + along[0] * np.array([-1, 1]), patch.z + along[1] * np.array([-1, 1])
         label = f"patch {index}: {1e3 * patch.angle:.1f} mrad"
         if f"{patch._prefix}normal_force" in result._names:
             label += f", {patch.normal_force:.5g} {units[1]}"
+            length = up * _ARROW * mm * patch.normal_force / (largest or 1.0)
+            start = np.array([patch.centroid.y, patch.centroid.z])
+            axes.annotate("", start + length * np.array([-np.sin(patch.angle), np.cos(patch.angle)]), start,
+                          zorder=10, arrowprops={"arrowstyle": "-|>", "color": _PLANE, "linewidth": 1.5})
         axes.plot(y, z, color=_PLANE, linewidth=2.5, label=label)
     axes.plot(touch.y, touch.z, "o", color="black", fillstyle="none", label="first touch")
     beside, below, above = (mm * length for length in _AROUND)
@@ -157,8 +183,7 @@ def _draw_outlines(axes: Any, result: Result, side: str, units: list[str]) -> No
              xlim=(up * max(across[0] + beside, across.max() + room), up * min(across[0] - beside, across.min() - room)),
              ylim=(up * min(height[0] - below, height.min() - room), up * max(height[0] + above, height.max() + room)),
              xlabel=f"track y, {units[0]}", ylabel=f"track z, {units[0]}")
-    axes.grid(color="#dddddd")
-    axes.legend(loc="upper left", fontsize="small")
+    axes.legend(loc="upper left", frameon=True, facecolor="white", framealpha=1.0, edgecolor="none")
 
 
 def _developed(patches: list[Patch]) -> dict[str, float]:
@@ -181,10 +206,44 @@ def _in_plane(patch: Patch, y: Array, z: Array) -> Array:
 def _frame(axes: Any, units: list[str], title: str) -> None:
     axes.set(title=title, aspect="equal", xlabel=f"along the planes of the patches, {units[0]}",
              ylabel=f"track x, {units[0]} (forward)")
-    axes.grid(color="#dddddd")
-    axes.set_axisbelow(True)
     if not axes.has_data():
         axes.axis("off")
+
+
+def _squares(pressure: Array) -> Array:
+    """p^2, which is smooth up to the edge of the contact, and goes on below 0 along lines beside it."""
+    squares = np.pad(np.maximum(pressure, 0.0) ** 2, 2)
+    outside, around = squares[2:-2, 2:-2] == 0.0, []
+    for axis in (0, 1):
+        for step in (-1, 1):
+            next_one, second = (np.roll(squares, step * k, axis)[2:-2, 2:-2] for k in (1, 2))
+            around.append(np.where(next_one > 0.0, np.minimum(2.0 * next_one - second, 0.0), np.nan))
+    known = ~np.all(np.isnan(around), axis=0) & outside
+    beyond = np.full(pressure.shape, -np.inf)
+    beyond[known] = np.nanmean(np.array(around)[:, known], axis=0)
+    squares = np.where(outside, beyond, squares[2:-2, 2:-2])
+    return np.where(np.isneginf(squares), squares[known].min(initial=0.0), squares)
+
+
+def _colour_scale(highest: float) -> Any:
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+
+    return ScalarMappable(Normalize(0.0, highest), _pressure_colours())
+
+
+def _draw_map(axes: Any, lateral: Array, along: Array, pressure: Array, highest: float) -> None:
+    """Colours between elements, with lines at the edge and at fifths of the highest pressure."""
+    if min(pressure.shape) < 2 or not highest > 0.0:
+        return
+    squares = _squares(pressure)
+    shares = np.linspace(0.0, 1.0, 65)
+    levels = (highest * shares) ** 2
+    levels[-1] = max(levels[-1], float(squares.max())) * (1.0 + 1e-9)
+    colours = _pressure_colours()(0.5 * (shares[1:] + shares[:-1]))
+    axes.contourf(lateral, along, squares, levels=levels, colors=colours)
+    axes.contour(lateral, along, squares, levels=(highest * np.array([0.05, 0.2, 0.4, 0.6, 0.8])) ** 2, colors="#404040",
+                 linewidths=0.8)
 
 
 def _draw_pressures(figure: Any, axes: Any, result: Result, side: str, units: list[str]) -> None:
@@ -197,12 +256,10 @@ def _draw_pressures(figure: Any, axes: Any, result: Result, side: str, units: li
     for patch in patches:
         lateral = places[patch._prefix] + _in_plane(patch, patch.field("y"), patch.field("z"))
         lateral[:] = lateral.mean(axis=1, keepdims=True)  # without rounding, of which matplotlib warns
-        pressure = np.where(patch.pressure > 0.0, patch.pressure, np.nan)
-        mesh = axes.pcolormesh(lateral, patch.field("x"), pressure, vmin=0.0, vmax=highest,
-                               cmap=_pressure_colours(), shading="nearest")
+        _draw_map(axes, lateral, patch.field("x"), patch.pressure, highest)
         title = f"pmax {peak}, area {wheel.area:.4g} {units[0]}$^2$"
     if patches:
-        figure.colorbar(mesh, ax=axes, label=f"pressure, {units[2]}")
+        figure.colorbar(_colour_scale(highest), ax=axes, label=f"pressure, {units[2]}")
     _frame(axes, units, title)
 
 
@@ -219,8 +276,10 @@ def _draw_tractions(axes: Any, result: Result, side: str, units: list[str]) -> N
             loaded = part.creep_pressure > 0.0
             traction = np.hypot(part.traction_x, part.traction_y)
             slips = traction >= _ON_BOUND * part.friction * part.creep_pressure
-            axes.pcolormesh(lateral, part.creep_x, np.where(loaded, slips, np.nan), vmin=0, vmax=1,
-                            cmap=_two_colours(), shading="nearest")
+            if min(loaded.shape) > 1:
+                squares = _squares(part.creep_pressure)
+                for area, colour in ((squares, _ADHESION), (np.where(loaded & ~slips, -squares, squares), _SLIP)):
+                    axes.contourf(lateral, part.creep_x, area, levels=[0.0, 2.0 * squares.max()], colors=[colour])
             steps = [slice(size // _MOST_ARROWS // 2, None, size // _MOST_ARROWS + 1)
                      for size in loaded.shape]
             shown = np.zeros_like(loaded)
@@ -237,9 +296,3 @@ def _draw_tractions(axes: Any, result: Result, side: str, units: list[str]) -> N
         title = (f"tractions on the wheel, arrows up to {largest:.4g} {units[2]}\n"
                  "blue: adhesion, red: slip")
     _frame(axes, units, title)
-
-
-def _two_colours() -> Any:
-    from matplotlib.colors import ListedColormap
-
-    return ListedColormap([_ADHESION, _SLIP])

@@ -154,7 +154,7 @@ def draw_yielding(axis: Any, found: dict[str, Any], library: Library) -> None:
     axis.set_xlabel("elastic (wrcontact), MPa")
     axis.set_ylabel("finite elements, yielding, MPa")
     axis.set_xlim(left=0)
-    axis.legend(fontsize=9)
+    axis.legend()
 
 
 def draw(found: dict[str, Any], library: Library, path: str) -> None:
@@ -163,7 +163,9 @@ def draw(found: dict[str, Any], library: Library, path: str) -> None:
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
+    import wrcontact
 
+    plt.rcParams.update(wrcontact.picture_style())
     yielding = any(stored(found, name, "plastic") for name in CASES)
     figure, panels = plt.subplots(2, 2, figsize=(11, 7.6)) if yielding else plt.subplots(1, 3, figsize=(12.5, 4))
     axes = list(panels.ravel())
@@ -176,15 +178,14 @@ def draw(found: dict[str, Any], library: Library, path: str) -> None:
         axis.plot(step["rows"]["y"], step["rows"]["crest"], "o", markersize=4, color="C1", label="finite elements, elastic")
         if plastic:
             step = plastic[max(plastic)][-1]
-            axis.plot(step["rows"]["y"], step["rows"]["middle"], "s-", markersize=3, linewidth=0.8, color="C3", label="finite elements, yielding")
+            axis.plot(step["rows"]["y"], step["rows"]["middle"], "s-", markersize=3, linewidth=0.8, color="C2", label="finite elements, yielding")
         axis.set_title(case.title)
         axis.set_xlabel("y, mm (gauge side to the left)")
         axis.set_ylabel("pressure at x = 0, MPa")
-    axes[1].legend(fontsize=9)
+    axes[1].legend()
     if yielding:
         draw_yielding(axes[3], found, library)
     for axis in axes:
-        axis.grid(alpha=0.3)
         axis.set_ylim(bottom=0)
     figure.tight_layout()
     figure.savefig(path, dpi=80)

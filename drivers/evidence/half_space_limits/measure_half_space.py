@@ -178,7 +178,9 @@ def draw(found: dict[str, Any], path: str) -> None:
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
+    import wrcontact
 
+    plt.rcParams.update(wrcontact.picture_style())
     rail, wheel = (found[name][str(EDGES[-1])] for name in ("rail", "wheel"))
     figure, axes = plt.subplots(2, 3, figsize=(12, 6.6), sharex=True, sharey=True)
     for row, kind in enumerate(("less A", "less curved")):
@@ -197,13 +199,12 @@ def draw(found: dict[str, Any], path: str) -> None:
                     value = 0.5 * (curves[0][1] + np.interp(place, *curves[1], left=np.nan, right=np.nan))
                 axis.plot(place, value, color=colour, label=f"{d} mm apart")
             axis.axhline(0, color="0.6", linewidth=0.8)
-            axis.grid(alpha=0.3)
             if row == 0:
                 axis.set_title(title)
             else:
                 axis.set_xlabel("middle of the pair: t on the rail, mm")
         axes[row, 0].set_ylabel(("half-space" if row == 0 else "curved operator") + "\nerror of the interaction, %")
-    axes[0, 0].legend(fontsize=8)
+    axes[0, 0].legend()
     axes[0, 0].set_xlim(-35, 20)
     figure.tight_layout()
     figure.savefig(path, dpi=90)

@@ -28,12 +28,12 @@ struct Line {
   const char* style;
   std::optional<double> Row::*member;
 };
-constexpr Line lines[] = {{"overlap", "lc rgb '#1f77b4' pt 6", &Row::overlap},
-                          {"gap under pressure", "lc rgb '#17becf' pt 4", &Row::complementarity},
-                          {"load balance", "lc rgb '#7f7f7f' pt 2", &Row::load_balance},
-                          {"pressures, against elimination in long double", "lc rgb '#2ca02c' pt 7",
-                           &Row::pressure_error},
-                          {"pmax, approach", "lc rgb '#d62728' pt 5", &Row::error}};
+constexpr Line lines[] = {
+    {"overlap", "lt 1 pt 6", &Row::overlap},
+    {"gap under pressure", "lt 5 pt 4", &Row::complementarity},
+    {"load balance", "lt 6 pt 2", &Row::load_balance},
+    {"pressures, against elimination in long double", "lt 3 pt 7", &Row::pressure_error},
+    {"pmax, approach", "lt 2 pt 5", &Row::error}};
 
 /// Where a point's part of the axis begins: half way to the one before.
 double border(const std::vector<Row>& rows, std::size_t index, bool logarithmic) {
@@ -93,8 +93,10 @@ void draw_panel(std::vector<Row> rows, const Quantity& quantity, bool with_key,
   }
   std::ostream& script = plot.script();
   script << "unset object\nset title " << driver::gnuplot_text(rows.front().base) << '\n'
-         << (with_key ? "set key bmargin center horizontal maxrows 3\n" : "unset key\n");
+         << (with_key ? "set key bmargin center horizontal maxrows 3\nset bmargin 11\n"
+                      : "unset key\n");
   if (quantity.shapes) {
+    script << "set bmargin 20\n";
     write_names(rows, script);
   }
   write_shades(rows, quantity, script);
@@ -154,7 +156,7 @@ void draw_pictures(const std::vector<Row>& rows, const std::filesystem::path& fo
            << least_shown / 3.0 << ':' << greatest_shown << "]\nset ylabel 'relative'\n"
            << "set datafile missing 'NaN'\n"
            << (quantity.logarithmic ? "set logscale x\nset format x '10^{%T}'\n" : "")
-           << (quantity.shapes ? "set bmargin 20\nset lmargin 26\n" : "") << "set multiplot layout "
+           << (quantity.shapes ? "set lmargin 26\n" : "") << "set multiplot layout "
            << panels.size() << ",1 title " << driver::gnuplot_text(quantity.title) << '\n';
     for (std::size_t i = 0; i < panels.size(); ++i) {
       const bool last = i + 1 == panels.size();

@@ -221,13 +221,12 @@ void draw(const std::filesystem::path& path, const std::vector<json>& rows, doub
   }
   const std::string block = gnuplot.block(bars);
   gnuplot.script()
-      << "set title 'Table 1 scene, 256 x 128 elements, one wheel, one thread: whole time' "
-         "font ',12'\nset logscale x\nset xrange [1:50000]\nset yrange ["
+      << "set title 'Table 1 scene, 256 x 128 elements, one wheel, one thread: whole time'\n"
+         "set logscale x\nset xrange [1:50000]\nset yrange ["
       << static_cast<double>(rows.size()) + 0.6
-      << ":-0.6]\nset xlabel 'ms (logarithmic)'\nset grid x lt 1 lw 1 lc rgb '#d8d8d8'\n"
-      << "set tics out nomirror\nset style fill solid 0.7\nunset key\n";
-  gnuplot.plot({block + " using 2:1:(1):2:($1-0.35):($1+0.35):ytic(3) with boxxyerror lc rgb "
-                        "'#0060ad'",
+      << ":-0.6]\nset xlabel 'ms (logarithmic)'\nset grid noy\n"
+      << "set style fill solid 0.7\nunset key\n";
+  gnuplot.plot({block + " using 2:1:(1):2:($1-0.35):($1+0.35):ytic(3) with boxxyerror lt 1",
                 block + " using ($2*1.15):1:(sprintf('%.4g ms', $2)) with labels left"});
   gnuplot.draw(path, 860, 60 * static_cast<int>(rows.size() + 1) + 110);
 }

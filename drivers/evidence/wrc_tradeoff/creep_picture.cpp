@@ -63,9 +63,8 @@ void draw_creep(const std::vector<CreepMeasured>& all, const std::filesystem::pa
   const std::vector<CreepRow> rows = creep_rows(all);
   driver::Gnuplot plot;
   plot.begin_multiplot(1, 2);
-  plot.script()
-      << "set logscale xy\nset grid\nset xrange [0.01:*]\nset xlabel 'median time per patch, us'\n"
-         "set ylabel 'error: rms to 99th percentile'\nset format '10^{%T}'\n";
+  plot.script() << "set logscale xy\nset xrange [0.01:*]\nset xlabel 'median time per patch, us'\n"
+                   "set ylabel 'error: rms to 99th percentile'\nset format '10^{%T}'\n";
   draw_half(plot, rows, "Fx and Fy, over mu N",
             [](const std::array<double, 3>& errors) { return std::max(errors[0], errors[1]); });
   draw_half(plot, rows, "Mz, over mu N c",

@@ -62,7 +62,7 @@ void draw_work_precision(const std::vector<Measured>& all, const std::filesystem
   driver::Gnuplot plot;
   auto& script = plot.script();
   plot.begin_multiplot(1, 3);
-  script << "set logscale xy\nset grid\nset xlabel 'median time, both "
+  script << "set logscale xy\nset xlabel 'median time, both "
             "wheels, ms'\nset format y '10^{%T}'\nset key bottom left\n";
   const std::pair<const char*, ErrorOf> quantities[] = {
       {"pmax", [](const WheelError& error) { return error.of(Quantity::pmax); }},
@@ -92,7 +92,7 @@ void draw_work_precision(const std::vector<Measured>& all, const std::filesystem
 /// One half of a picture for each meaning of an accuracy.
 void begin_halves(driver::Gnuplot& plot, const std::string& across, const std::string& ranges) {
   plot.begin_multiplot(1, 2);
-  plot.script() << "set logscale xy\nset grid\nset xlabel '" << across
+  plot.script() << "set logscale xy\nset xlabel '" << across
                 << "'\nset ylabel 'largest error'\nset format '10^{%T}'\nset key bottom right\n"
                 << ranges;
 }
@@ -182,7 +182,7 @@ void draw_models(const std::vector<Measured>& all, const std::filesystem::path& 
   driver::Gnuplot plot;
   auto& script = plot.script();
   plot.begin_multiplot(1, 2);
-  script << "set grid\nset logscale y\nset xlabel 'validity'\nset ylabel "
+  script << "set logscale y\nset xlabel 'validity'\nset ylabel "
             "'error of pmax'\nset format y '10^{%T}'\nset key bottom left\nset xrange "
             "[-0.02:1.02]\nset title 'errors of models'\n";
   Series errors(plot);
