@@ -22,6 +22,10 @@ grep -qx "version = \"$version\"" fpm.toml || {
   echo "fpm.toml: version must be that of CMakeLists.txt, $version"
   failures=1
 }
+grep -q "^Version $version, " README.md || {
+  echo "README.md: version must be that of CMakeLists.txt, $version"
+  failures=1
+}
 scripts/check_docs.py || failures=1
 scripts/check_questions.py || failures=1
 scripts/check_words.py || failures=1
