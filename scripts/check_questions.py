@@ -15,7 +15,7 @@ PROJECT = Path(__file__).resolve().parent.parent
 QUESTIONS = [
     ("where is y positive, and which way does a force act?", "sign", "docs/glossary.md", "forces to the left"),
     ("which setting is CONTACT's D_COMB, N = 1, T = 3?", "CONTACT", "docs/glossary.md#coming-from-contact", "D_COMB"),
-    ("can each wheel have friction of its own?", "friction", "docs/vehicle.md#friction", "friction.left"),
+    ("can each wheel have friction of its own?", "friction", "docs/vehicle.md#friction-per-wheel", "friction.left"),
     ("where do Kalker's coefficients come from?", "Kalker", "docs/creep.md#cheaper-models", "Kalker's coefficients"),
     ("how accurate is the result for my worn wheel?", "worn", "docs/accuracy.md#what-the-error-estimate-includes",
      "left.spread.pmax"),

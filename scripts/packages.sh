@@ -18,6 +18,11 @@ check_packages=(
 release_packages=(
   qemu-user doxygen octave octave-dev fonts-freefont-otf flang-19 calculix-ccx chromium
 )
+# For scripts/site.sh alone: the pages as a site, and a browser in which its search is tried.
+site_packages=(
+  cmake ninja-build pkg-config g++ gfortran libfftw3-dev liblapack-dev
+  doxygen python3-sphinx python3-myst-parser furo chromium
+)
 windows_packages=(g++-mingw-w64-x86-64-posix gfortran-mingw-w64-x86-64-posix)
 packaging_packages=(
   debhelper dh-python chrpath lintian git octave octave-dev patchelf

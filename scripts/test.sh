@@ -4,7 +4,7 @@
 #   --all      what CI runs: that; layers, text, static analysis; a small run under the address sanitizer;
 #              the tests with threads under the thread sanitizer
 #   --release  everything: --all with all tests, the evidence programs, Octave, a browser, the numerics
-#              under the address sanitizer, reference pages, a cross build for Windows, packages, the
+#              under the address sanitizer, reference pages, the site, a cross build for Windows, packages, the
 #              outputs that pages show, emulated instruction sets
 # Each step prints its wall time and the processor time of all its processes. tests/README.md says what is
 # checked in which run.
@@ -126,6 +126,7 @@ if [ "$mode" != fast ]; then
 fi
 if [ "$mode" = release ]; then
   step "reference of the interfaces" reference
+  step "site of the pages" logged build/site.log . scripts/site.sh
   step "Windows: compiled by cross compilers" scripts/check_windows.sh
   step "packages, wheel" \
     scripts/release.sh "$(sed -n 's/^project(wrcontact VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)" --dry-run
