@@ -35,7 +35,7 @@ notebooks=$(cd "$source" && find . -name '*.ipynb' | sed 's|^\./||; s|\.ipynb$||
 sed "/^NOTEBOOKS$/{
   r /dev/stdin
   d
-}" docs/site/contents.md <<<"$notebooks" >>"$source/README.md"
+}" docs/site/contents.txt <<<"$notebooks" >>"$source/README.md"
 {
   printf '# Reference of the interfaces\n\nMade from the sources by Doxygen and pydoc:\n\n'
   for page in 'C and C++=c/html/index' 'Fortran and FORTRAN 77=fortran/html/index' Python=python/wrcontact; do

@@ -25,7 +25,6 @@ root_doc = "README"
 extensions = ["myst_parser"]
 myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 4
-exclude_patterns = ["docs/site/contents.md"]
 html_theme = "furo"
 html_static_path = ["site.css"]
 html_css_files = ["site.css"]

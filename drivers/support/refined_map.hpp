@@ -2,8 +2,8 @@
 ///
 /// Pressures are the square roots of p^2 between elements, since p^2 is smooth up to the edge of
 /// the contact and passes through 0 there (an ellipse by Hertz is drawn exactly up to rounding).
-/// Beyond the last element under pressure p^2 goes on along parabolas, and is 0 at the latest in the
-/// middle of the next element.
+/// Beyond the last element under pressure p^2 goes on along parabolas, and is 0 at the latest in
+/// the middle of the next element.
 #pragma once
 
 #include <cstddef>
