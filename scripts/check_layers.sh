@@ -64,7 +64,7 @@ check tests/c_api 'extent\.hpp|call_arguments\.hpp|call_sequences\.hpp|all_resul
 check tests/fuzz 'base/error\.hpp|measured/(readers|slices)\.hpp|scene/(solve_scene|vehicle_step)\.hpp|table/table_(file|step|text)\.hpp|call_sequences\.hpp|support/|wrcontact\.h'
 check tests/properties '(draw|drawn_scene|outcome|rolling_scene|varying_scene|scene_properties|smoothness|steps)\.hpp|support/(parallel|random_scenes)\.hpp|wrcontact\.h'
 check tests/instruction_sets 'wrcontact\.h'
-check tests/drivers 'extent\.hpp|run_driver\.hpp|reports/conicity\.hpp|support/(csv_table|gnuplot|html)\.hpp'
+check tests/drivers 'extent\.hpp|run_driver\.hpp|reports/conicity\.hpp|support/(csv_table|gnuplot|html|refined_map)\.hpp'
 
 # No circles between files. A header and the source of its name count as one; the two public headers,
 # which include each other for old callers, are left out.

@@ -8,48 +8,53 @@ namespace {
 using namespace dimensions;
 using namespace key_makers;
 
+/// Where a scene has what a word of solve.results requests.
+template <class SceneType> auto requested_results(SceneType& scene) {
+  return std::array{std::pair{std::string_view("stress"), &scene.damage.stress},
+                    std::pair{std::string_view("wear"), &scene.damage.wear},
+                    std::pair{std::string_view("fatigue"), &scene.damage.fatigue},
+                    std::pair{std::string_view("kalker"), &scene.kalker}};
+}
+
 /// A set of words in any order, separated by blanks or commas.
 Key results_key() {
-  using Flag = bool DamageRequest::*;
-  static const std::array<std::pair<std::string_view, Flag>, 3> words{
-      {{"stress", &DamageRequest::stress},
-       {"wear", &DamageRequest::wear},
-       {"fatigue", &DamageRequest::fatigue}}};
   Key key;
   key.description = {"solve.results", "\"none\"",
-                     "\"none\", or any of \"stress\", \"wear\" and \"fatigue\", as one text or a "
-                     "list of them",
-                     "additional results: stresses below the surface, wear and fatigue; the last "
-                     "two need creep forces"};
+                     "\"none\", or any of \"stress\", \"wear\", \"fatigue\" and \"kalker\", as "
+                     "one text or a list of them",
+                     "additional results: stresses below the surface; wear and fatigue, which need "
+                     "creep forces; Kalker's coefficients of each patch"};
   key.get = [](const Scene& scene) {
     std::string text;
-    for (const auto& [word, flag] : words) {
-      if (scene.damage.*flag) {
+    for (const auto& [word, flag] : requested_results(scene)) {
+      if (*flag) {
         text.append(text.empty() ? "" : " ").append(word);
       }
     }
     return KeyValue(text.empty() ? "none" : text);
   };
   key.set_text = [](Scene& scene, std::string_view value) {
-    DamageRequest asked = scene.damage;
-    asked.stress = asked.wear = asked.fatigue = false;
+    const auto known = requested_results(scene);
+    std::array<bool, known.size()> asked{};
     bool some = value == "none";
     while (!some && !value.empty()) {
       const std::size_t end = std::min(value.find_first_of(" ,"), value.size());
       const std::string_view word = value.substr(0, end);
       value.remove_prefix(std::min(end + 1, value.size()));
-      const auto found = std::find_if(words.begin(), words.end(),
-                                      [word](const auto& known) { return known.first == word; });
-      if (found != words.end()) {
-        asked.*(found->second) = true;
+      const auto found = std::find_if(known.begin(), known.end(),
+                                      [word](const auto& one) { return one.first == word; });
+      if (found != known.end()) {
+        asked[static_cast<std::size_t>(found - known.begin())] = true;
       } else if (!word.empty()) {
         return false;
       }
     }
-    if (!some && !asked.any()) {
+    if (!some && std::find(asked.begin(), asked.end(), true) == asked.end()) {
       return false;
     }
-    scene.damage = asked;
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      *known[i].second = asked[i];
+    }
     return true;
   };
   return key;

@@ -89,6 +89,7 @@ struct Scene : WheelOptions {
   Material rail_material{210000.0, 0.3};
   std::optional<double> yield_pressure; ///< of a state only (results/wheel_state.hpp), MPa
   DamageRequest damage;                 ///< except its Poisson's ratio, which is that of the body
+  bool kalker = false;                  ///< whether PatchResult::kalker is requested
 
   double lateral = 0.0;
   double yaw = 0.0;

@@ -27,6 +27,7 @@
 #include "records/wheel_request.hpp"
 #include "remesh/surface_rays.hpp"
 #include "remesh/undeformed_distance.hpp"
+#include "rolling/kalker_coefficients.hpp"
 
 namespace wrc {
 
@@ -61,9 +62,10 @@ struct PatchResult : Patch {
   double radius_lateral = 0.0;
   double fill = 0.0; ///< fraction of the elements under pressure
   int lobes = 1;     ///< local maxima of penetration joined on its grid, or in its plane
-  HeapOptional<CreepResult> creep;    ///< if creep forces were requested
-  std::optional<SlipGeometry> slip;   ///< with them, if slip is that of each element
-  HeapOptional<ContactDamage> damage; ///< if any of it was requested
+  HeapOptional<CreepResult> creep;         ///< if creep forces were requested
+  std::optional<SlipGeometry> slip;        ///< with them, if slip is that of each element
+  HeapOptional<ContactDamage> damage;      ///< if any of it was requested
+  HeapOptional<KalkerCoefficients> kalker; ///< likewise (creep/patch_coefficients.hpp)
   /// The parts, if several patches have one plane, each as it was solved; else empty. Everything
   /// else is then that of the parts together (results/combined_contact.hpp), on a grid for fields
   /// only, which are computed on request.

@@ -96,6 +96,12 @@ inline std::optional<double> of_plane(const PatchResult& patch, double value) {
   return patch.area ? std::nullopt : std::optional(value);
 }
 
+/// If they were requested.
+inline std::optional<double> kalker_of(const PatchResult& patch,
+                                       double KalkerCoefficients::*coefficient) {
+  return patch.kalker ? std::optional((*patch.kalker).*coefficient) : std::nullopt;
+}
+
 inline constexpr std::array patch_numbers{
     OfPatch{"pmax", stress, [](const PatchResult& p) { return peak_of(p.is_unbounded, p.pmax); }},
     OfPatch{"area", surface, [](const PatchResult& p) { return area_of_patch(p); }},
@@ -120,6 +126,14 @@ inline constexpr std::array patch_numbers{
     OfPatch{"semi_axes.lateral", length, member<&PatchResult::semi_axis_lateral>},
     OfPatch{"radii.longitudinal", length, member<&PatchResult::radius_longitudinal>},
     OfPatch{"radii.lateral", length, member<&PatchResult::radius_lateral>},
+    OfPatch{"kalker.c11", pure,
+            [](const PatchResult& p) { return kalker_of(p, &KalkerCoefficients::c11); }},
+    OfPatch{"kalker.c22", pure,
+            [](const PatchResult& p) { return kalker_of(p, &KalkerCoefficients::c22); }},
+    OfPatch{"kalker.c23", pure,
+            [](const PatchResult& p) { return kalker_of(p, &KalkerCoefficients::c23); }},
+    OfPatch{"kalker.c33", pure,
+            [](const PatchResult& p) { return kalker_of(p, &KalkerCoefficients::c33); }},
     OfPatch{"coupling_weight", pure, member<&PatchResult::coupling_weight>},
     OfPatch{"regions", pure, [](const PatchResult& p) { return regions_of_patch(p); }},
     OfPatch{"lobes", pure, member<&PatchResult::lobes>},

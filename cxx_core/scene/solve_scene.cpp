@@ -9,6 +9,7 @@
 #include "creep/creep_forces.hpp"
 #include "creep/free_pitch.hpp"
 #include "creep/friction.hpp"
+#include "creep/patch_coefficients.hpp"
 #include "creep/total_force.hpp"
 #include "derivatives/steady_error.hpp"
 #include "results/contact_damage.hpp"
@@ -91,9 +92,8 @@ CreepRequest creep_request_of(const Scene& scene, const SceneSide& side) {
     request.rail_velocity = side.velocity;
     request.rail_slope = side.slope;
     request.time_step = scene.time_step;
-    if (scene.history) {
-      request.history = &scene.history->wheels[&side == &scene.right ? 1 : 0];
-    }
+    const std::size_t index = &side == &scene.right ? 1 : 0;
+    request.history = scene.history ? &scene.history->wheels[index] : nullptr;
   }
   return request;
 }
@@ -223,10 +223,10 @@ void complete_wheel(const Scene& scene, const WheelLoads& loads, RollingSolver& 
   if (!wheel.solved) {
     return;
   }
-  CreepRequest creep =
-      creep_request_of(scene, wheel.details.mirror > 0.0 ? scene.left : scene.right);
+  const SceneSide& side = wheel.details.mirror > 0.0 ? scene.left : scene.right;
+  CreepRequest creep = creep_request_of(scene, side);
+  Stopwatch watch;
   if (creep.model != CreepModel::none) {
-    const Stopwatch watch;
     if (creep.motion) {
       creep.motion->pitch = result.pitch;
     }
@@ -236,9 +236,12 @@ void complete_wheel(const Scene& scene, const WheelLoads& loads, RollingSolver& 
     }
     warn_of_creep_forces(wheel, creep);
     warn_of_pitch(scene, result, wheel);
-    result.time.rolling += watch.milliseconds();
   }
-  const Stopwatch watch;
+  if (scene.kalker) {
+    find_patch_coefficients(wheel, shear_constants_of(scene, side).poisson, solver);
+  }
+  result.time.rolling += watch.milliseconds();
+  watch = {};
   wheel.total = total_force(wheel);
   add_up_forces(wheel);
   wheel.state = wheel_state(wheel, scene.yield_pressure);

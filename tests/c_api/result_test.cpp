@@ -5,6 +5,7 @@
 #include <iterator>
 #include <numeric>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "all_results.hpp"
@@ -242,6 +243,29 @@ TEST_F(Solving, NoLoadAndNoTouchAreResults) {
   EXPECT_EQ(count, 0);
   solve(s, {{"pose.vertical", 500.0}});
   EXPECT_EQ(number_of(s, "right.normal_force"), 0.0);
+}
+
+// Kalker's coefficients come with their word alone, change no other result, and are the same on the
+// other wheel of the mirror image.
+TEST_F(Solving, KalkersCoefficientsComeOnRequest) {
+  const ScenePointer scene = make_small_scene();
+  wrc_scene* s = scene.get();
+  solve(s, {{"pose.lateral", 3.0}});
+  const double pmax = number_of(s, "left.pmax");
+  double value = 0.0;
+  EXPECT_EQ(wrc_scene_number(s, "left.patches.0.kalker.c11", &value), WRC_UNKNOWN_NAME);
+  ASSERT_EQ(wrc_scene_set_text(s, "solve.results", "kalker"), WRC_OK);
+  solve(s, {{"pose.lateral", 3.0}});
+  EXPECT_EQ(number_of(s, "left.pmax"), pmax);
+  const ScenePointer mirrored = make_small_scene();
+  ASSERT_EQ(wrc_scene_set_text(mirrored.get(), "solve.results", "stress, kalker"), WRC_OK);
+  solve(mirrored.get(), {{"pose.lateral", -3.0}});
+  for (const std::string name : {"c11", "c22", "c23", "c33"}) {
+    const double here = number_of(s, ("left.patches.0.kalker." + name).c_str());
+    EXPECT_GT(here, 0.3) << name;
+    EXPECT_NEAR(number_of(mirrored.get(), ("right.patches.0.kalker." + name).c_str()), here,
+                1e-6 * here);
+  }
 }
 
 } // namespace
