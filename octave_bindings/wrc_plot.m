@@ -20,7 +20,10 @@ function wrc_plot (result, file)
   for k = 1:numel (sides)
     side = result.(sides{k});
     subplot (2, numel (sides), k, 'fontsize', 8);
-    plot (side.rail_y, side.rail_z, 'k-', side.wheel_y, side.wheel_z, 'b-');
+    plot (side.rail_y, side.rail_z, 'color', [139 90 43] / 255); % as in the programs' pictures
+    hold on
+    plot (side.wheel_y, side.wheel_z, 'color', [31 78 158] / 255);
+    hold off
     axis equal tight
     set (gca (), 'xdir', 'reverse');
     xlabel ('y, mm');
@@ -48,12 +51,14 @@ function draw_pressures (side)
   hold on
   for patch = side.patches
     at = patch.fields;
-    pressure = at.pressure;
-    pressure(pressure == 0) = NaN; % not drawn
-    surface (at.y, at.x, 0 * pressure - 1, pressure, 'edgecolor', 'none');
+    if min (size (at.pressure)) > 1 && any (at.pressure(:) > 0)
+      levels = max (at.pressure(:)) * linspace (0.02, 1, 33);
+      contourf (at.y, at.x, at.pressure, levels, 'linestyle', 'none');
+    end
   end
   hold off
-  view (2);
+  stops = [253 243 200; 252 199 90; 242 137 52; 204 61 61; 107 20 70] / 255;
+  colormap (interp1 ([0 0.25 0.5 0.75 1], stops, linspace (0, 1, 64)));
   axis equal
   box on
   set (gca (), 'xdir', 'reverse');
