@@ -77,7 +77,7 @@ TEST(PatchCoefficients, OfTwoLobesAreThoseOfTheirSum) {
   EXPECT_GT(of_ellipse / of_both, 1.4);
 }
 
-TEST(PatchCoefficients, WithoutLoadThereAreNone) {
+TEST(PatchCoefficients, AnUnloadedPatchHasNone) {
   RollingSolver solver;
   WheelResult wheel = wheel_on(4.0, 4.0, ellipse);
   wheel.patches[0].normal_force = 0.0;
