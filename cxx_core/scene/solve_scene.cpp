@@ -240,7 +240,8 @@ void complete_wheel(const Scene& scene, const WheelLoads& loads, RollingSolver& 
   if (scene.kalker) {
     find_patch_coefficients(wheel, shear_constants_of(scene, side).poisson, solver);
   }
-  result.time.rolling += watch.milliseconds();
+  const bool rolls = creep.model != CreepModel::none || scene.kalker;
+  result.time.rolling += rolls ? watch.milliseconds() : 0.0;
   watch = {};
   wheel.total = total_force(wheel);
   add_up_forces(wheel);
