@@ -333,6 +333,7 @@ void Gnuplot::draw(const std::filesystem::path& path, int width, int height) con
   for (std::size_t i = 0; i < 6; ++i) { // of lines that name no colour
     whole << "set linetype " << i + 1 << " lc rgb '" << line_colour(i) << "'\n";
   }
+  whole << "set linetype cycle 6\n";
   whole << axes_style << script_.str() << (multiplot_ ? "\nunset multiplot" : "")
         << "\nunset output\n";
   const std::string trouble = run_gnuplot(whole.str(), file.aside());

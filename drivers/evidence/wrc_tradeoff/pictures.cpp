@@ -203,7 +203,7 @@ void draw_models(const std::vector<Measured>& all, const std::filesystem::path& 
   }
   errors.plot();
   script << "set xlabel 'displacement towards the flange, mm'\nset ylabel 'load per wheel, N'\n"
-            "set format y '10^{%T}'\nset xrange [*:*]\nset key outside bottom center horizontal\n"
+            "set format y '10^{%T}'\nset xrange [*:*]\nset key outside top center horizontal\n"
             "set title 'cheapest model within 10 % of pmax and approach'\n";
   std::ostringstream hertz;
   std::ostringstream quick;
