@@ -330,10 +330,10 @@ void Gnuplot::draw(const std::filesystem::path& path, int width, int height) con
   std::ostringstream whole;
   whole << "set terminal " << terminal << " size " << width << ',' << height
         << " enhanced font 'DejaVu Sans,10' background rgb 'white'\nset encoding utf8\n";
-  for (std::size_t i = 0; i < 6; ++i) { // of lines that name no colour
+  constexpr std::size_t own_colours = 8; // that gnuplot has
+  for (std::size_t i = 0; i < own_colours; ++i) {
     whole << "set linetype " << i + 1 << " lc rgb '" << line_colour(i) << "'\n";
   }
-  whole << "set linetype cycle 6\n";
   whole << axes_style << script_.str() << (multiplot_ ? "\nunset multiplot" : "")
         << "\nunset output\n";
   const std::string trouble = run_gnuplot(whole.str(), file.aside());

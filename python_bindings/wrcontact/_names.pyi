@@ -271,6 +271,12 @@ class PatchCreepage(Group):
     longitudinal: float
     spin: float
 
+class PatchKalker(Group):
+    c11: float
+    c22: float
+    c23: float
+    c33: float
+
 class PatchPressureForce(Group):
     x: float
     y: float
@@ -312,6 +318,7 @@ class Patch(Group):
     friction: float
     friction_power: float
     grid: WheelGrid
+    kalker: PatchKalker
     lateral_force: float
     lobes: int
     longitudinal_force: float
