@@ -95,7 +95,6 @@ def draw_conicity(conicity: Conicity, path: str | os.PathLike[str] | None, ax: A
         axes.fill_between(amplitude, value - spread, value + spread, color=_ADHESION, label="95 of 100 cases")
         axes.legend()
     axes.set(xlabel="amplitude, mm", ylabel="equivalent conicity", xlim=(0.0, None), ylim=(0.0, None))
-    axes.grid(color="#dddddd")
     return _save(figure, path)
 
 

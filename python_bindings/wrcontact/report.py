@@ -20,6 +20,7 @@ from ._library import lib, string
 from ._warnings import GRADES
 from .conicity import STANDARD
 from .errors import ContactWarning, Error, InvalidArgument
+from .plot import picture_style
 from .profile import Profile
 from .scene import Scene, key_of, solve
 
@@ -258,11 +259,13 @@ def _add_smoothing(page: _Page, centre: Result) -> None:
     """pmax and area over the wavelength that profiles of points are smoothed with."""
     if "left.smoothed_0mm.area" not in centre._names:
         return
+    import matplotlib
     from matplotlib.figure import Figure
 
     page.add("p", "The largest pressure over the wavelength that the profiles are smoothed with: waves of this length are halved.")
-    figure = Figure(figsize=(7.0, 3.5), layout="constrained")
-    axes = figure.subplots()
+    with matplotlib.rc_context(picture_style()):
+        figure = Figure(figsize=(7.0, 3.5), layout="constrained")
+        axes = figure.subplots()
     rows: list[tuple[Any, ...]] = [("", "unit", "as solved", *(f"{one} mm" for one in _SMOOTHINGS))]
     for side in ("left", "right"):
         for name, unit, decimals in (("pmax", "MPa", 0), ("area", "mm²", 1)):
@@ -278,6 +281,7 @@ def _add_smoothing(page: _Page, centre: Result) -> None:
 
 
 def _add_positions(page: _Page, lateral: Any, positions: Mapping[str, Any]) -> None:
+    import matplotlib
     from matplotlib.figure import Figure
 
     page.add("h2", "Left wheel over the lateral position")
@@ -285,12 +289,13 @@ def _add_positions(page: _Page, lateral: Any, positions: Mapping[str, Any]) -> N
                ("rigid_contact.rolling_radius", "rolling radius, mm", 3), ("rigid_contact.s_wheel", "s on the wheel, mm", 2),
                ("rigid_contact.t_rail", "t on the rail, mm", 2))
     arrays = [np.asarray(positions[f"left.{name}"]) for name, _, _ in columns]
-    figure = Figure(figsize=(7.5, 9.0), layout="constrained")
-    for axes, array, (_, label, _) in zip(figure.subplots(4, 1, sharex=True), [*arrays[:2], *arrays[4:]],
+    with matplotlib.rc_context(picture_style()):
+        figure = Figure(figsize=(7.5, 9.0), layout="constrained")
+        panels = figure.subplots(4, 1, sharex=True)
+    for axes, array, (_, label, _) in zip(panels, [*arrays[:2], *arrays[4:]],
                                           [*columns[:2], *columns[4:]]):
         axes.plot(lateral, array, "o-", markersize=3)
         axes.set_ylabel(label)
-        axes.grid(color="#dddddd")
     axes.set_xlabel("lateral displacement, mm (to the left)")
     page.picture(figure, "largest pressure, area and contact points over the lateral position")
     page.table([("y, mm", *(label for _, label, _ in columns)), *(
