@@ -31,6 +31,8 @@ cmake --build "$reference" --target reference >>"$source/reference.log" || {
 }
 cp -r "$reference/reference" "$source/extra/reference"
 
+# Where notebooks find it as they do in an installation.
+cp tests/reference/profiles/Car7216_0001r.txt "$source/python_bindings/measured_wheel.txt"
 notebooks=$(cd "$source" && find . -name '*.ipynb' | sed 's|^\./||; s|\.ipynb$||' | sort)
 sed "/^NOTEBOOKS$/{
   r /dev/stdin

@@ -73,7 +73,7 @@ def run(source, names, folder, name):
     code = ast.parse(source)
     last = code.body.pop() if code.body and isinstance(code.body[-1], ast.Expr) else None
     printed = io.StringIO()
-    with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
+    with contextlib.chdir(folder), contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
         exec(compile(code, name, "exec"), names)
         value = eval(compile(ast.Expression(last.value), name, "eval"), names) if last else None
     text = re.sub(r"^.*/(?=[^/\s]+:\d+: )", "", printed.getvalue(), flags=re.M).strip()
