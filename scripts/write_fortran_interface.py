@@ -141,7 +141,8 @@ def faults(headers, bindings, text):
         yield "wrcontact_c.inc is not that of the headers: run scripts/write_fortran_interface.py"
     module = (bindings / "wrcontact.f90").read_text()
     defined = re.findall(r"^#define (WRC_[A-Z_]+) (\d+)", "".join(headers), flags=re.M)
-    known = re.findall(r"parameter, public :: (wrc_\w+) = (\d+)", module)
+    lines = re.findall(r"parameter, public :: (.*)", module)
+    known = [pair for line in lines for pair in re.findall(r"(wrc_\w+) = (\d+)", line)]
     for name, value in sorted({(name.lower(), value) for name, value in defined} ^ set(known)):
         yield f"{name} = {value}: a constant of wrcontact.h or of wrcontact.f90 only"
     calls = module + "".join(path.read_text() for path in bindings.glob("wrcontact_[!cf]*.inc"))

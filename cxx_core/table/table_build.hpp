@@ -9,26 +9,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <string>
 
-#include "base/worker_threads.hpp"
 #include "scene/solve_scene.hpp"
 #include "table/contact_table.hpp"
+#include "table/table_options.hpp"
 
 namespace wrc {
-
-struct TableOptions {
-  TableRanges ranges;
-  /// Error over load beyond which the exact solution is asked where there is a solver; 0: never.
-  double tolerance = 0.0;
-  double fineness = 1.0; ///< of the nodes in each variable, 0.2 to 4
-  int threads = 1;
-  Progress progress; ///< with the finished fraction
-  /// Keeps what is finished, so that a build that was stopped goes on; empty: none.
-  std::filesystem::path resume_file;
-  std::string version; ///< of the library: in the table, and whose unfinished files go on
-};
 
 /// A table of the scene's wheels, rails and materials; its position, loads and motion do not
 /// matter, and its friction is that of states without one. Throws Error(invalid_argument) that

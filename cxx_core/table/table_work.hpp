@@ -12,9 +12,10 @@
 #include <span>
 #include <vector>
 
+#include "scene/solve_scene.hpp"
 #include "table/finished_tasks.hpp"
-#include "table/table_build.hpp"
 #include "table/table_nodes.hpp"
+#include "table/table_options.hpp"
 
 namespace wrc {
 

@@ -58,20 +58,22 @@ TEST_F(FullDisk, FailingToPrintResultsIsAnError) {
 
 TEST_F(FullDisk, ASweepKeepsFinishedRowsAndResumes) {
   write("s.toml", "[pose]\nlateral = {from = -3, to = 3, count = 31}\n[solve]\ngrid = [12, 10]\n");
-  ASSERT_EQ(run(WRC_SWEEP_PROGRAM, "s.toml --out whole").exit_code, 0);
+  ASSERT_EQ(run(WRC_SWEEP_PROGRAM, "s.toml --digits 17 --out whole").exit_code, 0);
   const auto size = [this](const std::string& file) {
     return static_cast<int>(std::filesystem::file_size(folder() / file) / 512);
   };
   const auto entries = [this] {
     return std::distance(std::filesystem::directory_iterator(folder() / "o"), {});
   };
-  // First the rows do not fit, then one table, then both; each time the rows are kept.
+  // With all digits a table is longer than the rows. First the rows do not fit, then one table,
+  // then both; each time the rows are kept.
   for (const auto& [blocks, file] : {std::pair{8, "s.rows"},
                                      {size("whole/s.csv") - 1, "s.csv"},
                                      {size("whole/s.nc") - 1, "s.nc"},
                                      {size("whole/s.nc") - 10, "s.nc"}}) {
     SCOPED_TRACE(blocks);
-    const Outcome outcome = run_limited(blocks, WRC_SWEEP_PROGRAM, "s.toml --out o --resume");
+    const Outcome outcome =
+        run_limited(blocks, WRC_SWEEP_PROGRAM, "s.toml --digits 17 --out o --resume");
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_NE(outcome.error.find(std::string("cannot write o/") + file), std::string::npos)
         << outcome.error;
@@ -79,7 +81,7 @@ TEST_F(FullDisk, ASweepKeepsFinishedRowsAndResumes) {
     EXPECT_FALSE(exists("o/s.nc"));
     EXPECT_EQ(entries(), exists("o/s.csv") ? 2 : 1);
   }
-  EXPECT_EQ(run(WRC_SWEEP_PROGRAM, "s.toml --out o --resume").exit_code, 0);
+  EXPECT_EQ(run(WRC_SWEEP_PROGRAM, "s.toml --digits 17 --out o --resume").exit_code, 0);
   EXPECT_EQ(read("o/s.csv"), read("whole/s.csv"));
   EXPECT_EQ(read("o/s.nc"), read("whole/s.nc"));
   EXPECT_FALSE(exists("o/s.rows"));
