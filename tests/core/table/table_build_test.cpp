@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "table/small_table.hpp"
 #include "table/table_nodes.hpp"
+#include "table/table_options.hpp"
 
 namespace wrc::test {
 namespace {
