@@ -34,16 +34,18 @@ def string(value: Any) -> str:
     return bytes(ffi.string(value)).decode("utf-8", "backslashreplace")
 
 
-def doubles(values: ArrayLike) -> Array:
-    """The values as the library reads them; the same memory if they are already so.
-
-    InvalidArgument for masked values, whose mask would be lost.
-    """
+def refuse_masked(values: Any) -> None:
+    """InvalidArgument for masked values, whose mask would be lost."""
     parts = values if isinstance(values, (list, tuple)) else [values]
     if any(isinstance(part, np.ma.MaskedArray) and np.any(part.mask) for part in parts):
         from .errors import InvalidArgument
 
         raise InvalidArgument("an array has masked values; it must have none: values[~values.mask]")
+
+
+def doubles(values: ArrayLike) -> Array:
+    """The values as the library reads them; the same memory if they are already so. InvalidArgument if masked."""
+    refuse_masked(values)
     return np.ascontiguousarray(values, dtype=np.float64)
 
 

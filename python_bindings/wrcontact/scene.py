@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from ._handle import Handle, encoded
 from ._interface import ffi
-from ._library import Array, doubles, lib, pointer, string
+from ._library import Array, doubles, lib, pointer, refuse_masked, string
 from ._warnings import graded_warnings_of, warn
 from .errors import InvalidArgument, NoResult, UnknownName, error_of
 from .profile import Profile
@@ -99,6 +99,13 @@ def _rank(key: str) -> int:
     return 0 if key.startswith("convention.") else 2 if key.rpartition(".")[2].lower() in _OPTIONS else 1
 
 
+def ranked(values: Mapping[str, Any]) -> dict[str, Any]:
+    """The values by key in the order in which they are set; InvalidArgument if two words are the same key."""
+    refuse_doubled(values)
+    named = [(key_of(word), value) for word, value in values.items()]
+    return dict(sorted(named, key=lambda pair: _rank(pair[0])))
+
+
 class Scene(SceneKeywords):
     """Both wheels of a wheelset on their rails: inputs by key, solved by `solve`.
 
@@ -133,9 +140,7 @@ class Scene(SceneKeywords):
             If one is refused, those before it stay set; a key named twice is refused before any is set.
             UnknownName, InvalidArgument.
             """
-            named = [(key_of(word), value) for word, value in values.items()]
-            refuse_doubled(values)
-            for key, value in sorted(named, key=lambda pair: _rank(pair[0])):
+            for key, value in ranked(values).items():
                 self[key] = value
             return self
 
@@ -159,6 +164,7 @@ class Scene(SceneKeywords):
         if isinstance(value, (float, int, str)):
             pass  # most values
         elif getattr(value, "ndim", None) == 0 and not isinstance(value, np.generic):
+            refuse_masked(value)
             value = given = np.asarray(value)[()]  # an array of one value without a dimension
         elif varies(key, value):
             raise InvalidArgument(f"{key} has {np.size(value)} values and takes one; wrcontact.solve takes arrays, "
@@ -174,7 +180,12 @@ class Scene(SceneKeywords):
         elif isinstance(value, Sequence) and value and all(isinstance(word, str) for word in value):
             status = lib.wrc_scene_set_text(self._handle, code, encoded(" ".join(value)))
         else:
-            numbers = doubles(value)
+            try:
+                numbers = doubles(value)
+            except InvalidArgument:
+                raise
+            except (TypeError, ValueError) as error:
+                raise InvalidArgument(f"{key} is {value!r}; must be a number, a text or a list of numbers") from error
             status = lib.wrc_scene_set_numbers(self._handle, code, pointer(numbers), numbers.size)
             given = numbers.copy()
         self._check(status)
@@ -330,14 +341,15 @@ def _kept_solver(given: Mapping[tuple[str, int], Any]) -> Any:
 
 def varies(key: str, value: Any) -> bool:
     """Whether a value is many values for a key that takes one."""
-    if key not in keys() or isinstance(value, (str, bytes, Mapping, Profile, os.PathLike)) or np.ndim(value) == 0:
+    if key not in keys() or isinstance(value, (str, bytes, Mapping, Profile, os.PathLike)):
         return False
+    try:
+        if np.ndim(value) == 0:
+            return False
+    except ValueError:
+        raise InvalidArgument(f"{key} is {value!r}; its lists must all have the same length") from None
     allowed = keys()[key].allowed
-    if "profile file" in allowed:
-        return True
-    if all(isinstance(one, str) for one in np.ravel(value)):  # solve.results takes a list of words
-        return "list of them" not in allowed and not isinstance(value, (list, tuple))
-    return not allowed.startswith("[")
+    return "list of them" not in allowed and not allowed.startswith("[")  # solve.results takes a list of words
 
 
 #: What `solve` returns of arrays, unless its argument `outputs` names others.
@@ -361,16 +373,15 @@ if not TYPE_CHECKING:  # _names.pyi lists the keywords
         It uses all processors, or `threads` of them; results do not depend on the number. progress: called with the
         fraction that is done.
         """
-        many = {word: value for word, value in values.items() if varies(key_of(word), value)}
+        many = [word for word, value in values.items() if varies(key_of(word), value)]
         if many:
             from .study import solve_arrays
 
-            rest = {word: value for word, value in values.items() if word not in many}
-            threads = next((int(rest.pop(word)) for word in list(rest) if key_of(word) == "solve.threads"), None)
-            return solve_arrays(many, USUAL_RESULTS if outputs is None else outputs, threads, progress, rest)
+            return solve_arrays(many, USUAL_RESULTS if outputs is None else outputs, progress, values)
+        scene = Scene(**values)
         if outputs is not None or progress is not None:
             raise InvalidArgument("outputs and progress are for arrays of values; of one scene all results can be read")
-        return Scene(**values).solve()
+        return scene.solve()
 
 
 def _signature_of_keys(*before: inspect.Parameter) -> inspect.Signature:

@@ -2,17 +2,19 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import dropwhile
 from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
 from ._handle import encoded
 from ._interface import ffi
-from ._library import doubles, lib, pointer, string
+from ._library import lib, pointer, refuse_masked, string
 from ._warnings import GRADES, Graded, warn_of_many, worst_of
 from .errors import Error, InvalidArgument
-from .scene import Scene, key_of, keys, refuse_doubled, values_of
+from .profile import Profile
+from .scene import Scene, key_of, keys, ranked, refuse_doubled, values_of
 from .result import long_name_of, unit_of
 from .solver import solve_without_warning, warnings_of_outcome
 
@@ -40,30 +42,29 @@ def _study(parameters: Mapping[str, Any], results: Sequence[str] | str = ("left.
     length, for scenes drawn at random. results: names of numbers (docs/results.md); not-a-number
     without contact. separator: what stands for the points in names of the Dataset; with "_" they are
     attributes: `data.left_pmax.sel(track_rail="60E1")`. progress: called with the fraction that is done. Further
-    keywords are keys with one value. All in the units of `values`, mm, N, MPa, rad by default.
+    keywords are keys with one value; they are set behind those of `parameters`: `load_left` holds against values of
+    "load.both". All in the units of `values`, mm, N, MPa, rad by default.
 
     Every variable has a `long_name`, and `units` if it is a number. The
     Dataset has besides `status` and `message` of each scene (0: solved; an exception's status and text),
     `grade` (0 fine, 1 a little over, 2 do not use), `warning_count` and `warnings` (texts, separated by " | "), and all keys that do not vary as
-    attributes. A scene that fails is not raised; each kind of warnings is a ContactWarning with the
-    number of its scenes. Results do not depend on `threads`; each scene is solved by itself, as by
+    attributes. A scene that fails or whose values are refused is not raised, unless the values of all are
+    refused; each kind of warnings is a ContactWarning with the number of its scenes. Results do not depend on `threads`; each scene is solved by itself, as by
     Scene.solve.
     """
     import xarray
 
     refuse_doubled([*parameters, *values])
-    varied = {key_of(word): column for word, column in parameters.items()}
-    arrays = {key: _column(key, column) for key, column in varied.items()}
+    arrays = {key_of(word): _column(key_of(word), column) for word, column in parameters.items()}
     grid = xarray.broadcast(*arrays.values()) if arrays else ()
-    return _dataset(arrays, grid, results, threads, separator, progress, values)
+    return _dataset(arrays, grid, results, threads, separator, progress, ranked({**parameters, **values}))
 
 
-def solve_arrays(varied: Mapping[str, Any], outputs: Sequence[str] | str, threads: int | None, progress: Progress,
-                 values: Mapping[str, Any]) -> Any:
-    """scene.solve for keys with arrays of values."""
-    refuse_doubled([*varied, *values])
-    columns = {key_of(word): value for word, value in varied.items()}
-    count = threads or len(os.sched_getaffinity(0))
+def solve_arrays(varied: Iterable[str], outputs: Sequence[str] | str, progress: Progress, values: Mapping[str, Any]) -> Any:
+    """scene.solve of values of which those of `varied` are arrays."""
+    given = ranked(values)
+    columns = {key_of(word): values[word] for word in varied}
+    count = int(given.pop("solve.threads", len(os.sched_getaffinity(0))))
     labelled = {key for key, value in columns.items() if hasattr(value, "to_xarray") or hasattr(value, "dims")}
     if labelled and len(labelled) < len(columns):
         raise InvalidArgument(f"{', '.join(sorted(labelled))} has dimensions with names, "
@@ -71,23 +72,24 @@ def solve_arrays(varied: Mapping[str, Any], outputs: Sequence[str] | str, thread
     try:
         import xarray
     except ImportError:
-        plain = {key: _as_column(np.asarray(value)) for key, value in columns.items()}
+        plain = {key: _as_column(value) for key, value in columns.items()}
         shape, flat = _flat(plain)
         return {name: array for name, (_, array, _) in _variables(
-            (), shape, flat, outputs, count, progress, values).items()} | dict(zip(plain, _broadcast(plain)))
+            (), shape, flat, outputs, count, progress, given).items()} | dict(zip(plain, _broadcast(plain)))
     if labelled:
         arrays = {key: value if hasattr(value, "dims") else value.to_xarray() for key, value in columns.items()}
         try:
             arrays = dict(zip(arrays, xarray.align(*arrays.values(), join="exact")))
         except ValueError as error:
             raise InvalidArgument(f"{', '.join(arrays)} do not have the same coordinates: {error}") from error
+        arrays = {key: array.copy(data=_as_column(array.values)) for key, array in arrays.items()}
     else:
-        plain = {key: _as_column(np.asarray(value)) for key, value in columns.items()}
+        plain = {key: _as_column(value) for key, value in columns.items()}
         full = _broadcast(plain)
         dims = (([next(iter(plain))] if len(plain) == 1 else ["case"]) if full[0].ndim == 1
                 else [f"axis_{axis}" for axis in range(full[0].ndim)])
         arrays = {key: xarray.DataArray(array, dims=dims) for key, array in zip(plain, full)}
-    return _dataset(arrays, xarray.broadcast(*arrays.values()), outputs, count, ".", progress, values)
+    return _dataset(arrays, xarray.broadcast(*arrays.values()), outputs, count, ".", progress, given)
 
 
 def _broadcast(plain: Mapping[str, Any]) -> list[Any]:
@@ -103,17 +105,19 @@ def _flat(plain: Mapping[str, Any]) -> tuple[tuple[int, ...], dict[str, Any]]:
     return full[0].shape, {key: array.ravel() for key, array in zip(plain, full)}
 
 
-def _as_column(array: Any) -> Any:
+def _as_column(values: Any) -> Any:
     """Numbers as float, everything else as objects."""
-    return array.astype(float if np.issubdtype(array.dtype, np.number) else object)
+    refuse_masked(values)
+    array = np.asarray(values)
+    return array.astype(float) if np.issubdtype(array.dtype, np.number) else np.asarray(values, dtype=object)
 
 
 def _variables(dims: Any, shape: tuple[int, ...], columns: Mapping[str, Any], results: Sequence[str] | str, threads: int,
-               progress: Progress, values: Mapping[str, Any]) -> dict[str, tuple[Any, Any, dict[str, Any]]]:
+               progress: Progress, given: Mapping[str, Any]) -> dict[str, tuple[Any, Any, dict[str, Any]]]:
     """Results, statuses and warnings by name: dimensions, values, attributes."""
     results = [results] if isinstance(results, str) else list(results)
-    table, statuses, messages, warned = _solve_all(columns, int(np.prod(shape)), results, threads, progress, values)
-    plain = Scene(**values)
+    table, statuses, messages, warned = _solve_all(columns, int(np.prod(shape)), results, threads, progress, given)
+    plain = _common(given, columns)
 
     def variable(column: Any, long_name: str, **attributes: Any) -> tuple[Any, Any, dict[str, Any]]:
         return dims, column.reshape(shape), {"long_name": long_name, **attributes}
@@ -135,21 +139,21 @@ def _variables(dims: Any, shape: tuple[int, ...], columns: Mapping[str, Any], re
 
 
 def _dataset(arrays: Mapping[str, Any], grid: Sequence[Any], results: Sequence[str] | str, threads: int, separator: str,
-             progress: Progress, values: Mapping[str, Any]) -> xarray.Dataset:
+             progress: Progress, given: Mapping[str, Any]) -> xarray.Dataset:
     """All scenes of a grid of values; `arrays` as they are given, `grid` all with the same dimensions."""
     import xarray
 
     columns = {key: array.values.ravel() for key, array in zip(arrays, grid)}
     dims, shape = (grid[0].dims, grid[0].shape) if grid else ((), ())
-    plain = Scene(**values)
-    variables = _variables(dims, shape, columns, results, threads, progress, values)
+    plain = _common(given, columns)
+    variables = _variables(dims, shape, columns, results, threads, progress, given)
     coordinates: dict[str, Any] = {}
     for array in arrays.values():
         coordinates.update(getattr(array, "coords", {}))
-    coordinates.update({key: (array.dims, np.reshape([_told(value) for value in array.values.ravel()], array.shape),
+    coordinates.update({key: (array.dims, np.reshape(_labels(array.values.ravel()), array.shape),
                               {"long_name": keys()[key].meaning if key in keys() else key, **_units(key, plain, array.values)})
                         for key, array in arrays.items()})
-    attributes = {"source": f"wrcontact {string(lib.wrc_version())}", **_constant(arrays, values)}
+    attributes = {"source": f"wrcontact {string(lib.wrc_version())}", **_constant(arrays, given)}
     data = xarray.Dataset(variables, coordinates, attributes)
     names = {str(name) for name in [*data.variables, *data.dims] if "." in str(name)}
     return data.rename({name: name.replace(".", separator) for name in names if separator != "."})
@@ -170,6 +174,10 @@ def _column(key: str, values: Any) -> Any:
 
     shared = isinstance(values, tuple) and len(values) == 2 and isinstance(values[0], str)
     dim, column = values if shared and not isinstance(values[1], str) else (key, values)
+    refuse_masked(column)
+    if isinstance(column, (str, bytes, Mapping)) or not isinstance(column, Iterable) or getattr(column, "ndim", 1) == 0:
+        raise InvalidArgument(f"{key} is {column!r}; study takes a list of values here, and one value as a keyword: "
+                              f"{key.replace('.', '_')}={column!r}")
     items = list(column)
     array = _objects(items)
     if all(isinstance(item, (int, float, np.number)) for item in items):
@@ -177,18 +185,33 @@ def _column(key: str, values: Any) -> Any:
     return xarray.DataArray(array, dims=[dim])
 
 
-def _told(value: Any) -> Any:
-    """What a coordinate says of a value: a number, a text, or the name of a profile."""
-    return value if isinstance(value, (float, str)) else getattr(value, "name", str(value))
+def _labels(values: Sequence[Any]) -> list[Any]:
+    """What a coordinate says of values: numbers, texts, names of profiles, with options where names do not tell them apart."""
+    profiles = [value for value in values if isinstance(value, Profile)]
+    ways = {(profile.name, str(profile._made[2])) for profile in profiles}
+    names = [name for name, _ in ways]
+
+    def label(value: Any) -> Any:
+        if isinstance(value, Profile):
+            options = "".join(f"; {option} = {one}" for option, one in value._made[2].items())
+            return value.name + (options if names.count(value.name) > 1 else "")
+        return value if isinstance(value, (float, str)) else str(value)
+
+    return [label(value) for value in values]
 
 
-def _constant(arrays: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
+def _constant(arrays: Mapping[str, Any], given: Mapping[str, Any]) -> dict[str, Any]:
     """All keys that no varied one changes, with their values: "track.rail" changes those of the sides."""
-    found: dict[str, Any] = dict(values_of(Scene(**values)))
-    for key, array in arrays.items():
-        for value in array.values.ravel()[[0, -1]] if array.size else ():
-            probe = Scene(**values)
-            probe[key] = value
+    columns = {key: array.values.ravel() for key, array in arrays.items()}
+    found: dict[str, Any] = dict(values_of(_common(given, columns)))
+    for key, column in columns.items():
+        alone = {name: one for name, one in given.items() if name == key or name not in columns}
+        for row in _differing(column):
+            probe = _common(given, columns)
+            try:
+                _set_row(probe, {key: column}, alone, row)
+            except Error:  # the status of its scenes tells
+                continue
             others: dict[str, Any] = dict(values_of(probe))
             found = {name: one for name, one in found.items()
                      if name != key and name in others
@@ -196,20 +219,51 @@ def _constant(arrays: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str,
     return found
 
 
+def _differing(column: Any) -> Iterable[int]:
+    """Rows that together show every key that the column changes."""
+    try:  # of numbers and lists of them: the least and the greatest
+        numbers = np.array(list(column), dtype=float)
+        rows = np.flatnonzero(np.isfinite(numbers.reshape(len(numbers), -1)).all(axis=1))
+        if rows.size and numbers[rows].size and (rows.size == len(numbers) or column.dtype == float):
+            return {*rows[np.ravel(numbers[rows].argmin(axis=0))], *rows[np.ravel(numbers[rows].argmax(axis=0))]}
+    except (TypeError, ValueError):
+        pass
+    return {value if isinstance(value, (str, float)) else id(value): row for row, value in enumerate(column)}.values()
+
+
+def _common(given: Mapping[str, Any], columns: Mapping[str, Any]) -> Scene:
+    """The scene of all keys that do not vary."""
+    return Scene(**{key: value for key, value in given.items() if key not in columns})
+
+
+def _set_row(scene: Scene, columns: Mapping[str, Any], given: Mapping[str, Any], row: int) -> None:
+    """Sets the keys of a row in the order given; constants behind a varied key are set again, as it may set them too."""
+    for key in dropwhile(lambda key: key not in columns, given):
+        scene[key] = columns[key][row] if key in columns else given[key]
+
+
 def _solve_all(columns: Mapping[str, Any], count: int, results: Sequence[str], threads: int,
-               progress: Progress, values: Mapping[str, Any]) -> tuple[Any, Any, Any, list[list[Graded]]]:
+               progress: Progress, given: Mapping[str, Any]) -> tuple[Any, Any, Any, list[list[Graded]]]:
     """A row of results, a status, a text and warnings for each scene."""
+    for key in columns:
+        if key.startswith("convention."):
+            raise InvalidArgument(f"{key} takes one value for all scenes, as the results of all have the same units and axes")
     table = np.full((count, len(results)), np.nan)
     statuses, messages = np.zeros(count, dtype=np.int32), np.full(count, "", dtype=object)
     warned: list[list[Graded]] = [[] for _ in range(count)]
     at_once = _SCENES_AT_ONCE if progress is None else _SCENES_A_REPORT
-    scenes = [Scene(**values) for _ in range(min(count, at_once))]
-    result_ids = _ids(results, "number")
-    set_row = _setter(columns)
+    scenes = [_common(given, columns) for _ in range(min(count, at_once))]
+    result_ids = _ids(results)
+    refused: list[Error] = []
     for start in range(0, count, at_once):
-        part = list(zip(range(start, count), scenes))
-        for row, scene in part:
-            set_row(scene, row)
+        part = []
+        for row, scene in zip(range(start, count), scenes):
+            try:
+                _set_row(scene, columns, given, row)
+                part.append((row, scene))
+            except Error as error:
+                statuses[row], messages[row] = error.status, str(error)
+                refused.append(error)
         for (row, scene), outcome in zip(part, solve_without_warning(
                 [scene for _, scene in part], threads)):
             warned[row] = warnings_of_outcome(outcome)
@@ -221,6 +275,8 @@ def _solve_all(columns: Mapping[str, Any], count: int, results: Sequence[str], t
                 scene._handle, pointer(result_ids, "int32_t"), pointer(table[row]), len(results)))
         if progress is not None:
             progress(min(1.0, (start + at_once) / count))
+    if refused and len(refused) == count:
+        raise refused[0]
     return table, statuses, messages, warned
 
 
@@ -231,36 +287,14 @@ def _objects(items: Sequence[Any]) -> Any:
     return array
 
 
-def _ids(names: Sequence[str], kind: str) -> Any:
-    """Integers that stand for keys or names of results in every scene."""
+def _ids(names: Sequence[str]) -> Any:
+    """Integers that stand for names of results in every scene."""
     scene, number = Scene(), ffi.new("int32_t *")
-    function = lib.wrc_scene_key_id if kind == "key" else lib.wrc_scene_number_id
     found = np.empty(len(names), dtype=np.int32)
     for index, name in enumerate(names):
-        scene._check(function(scene._handle, encoded(name), number))
+        scene._check(lib.wrc_scene_number_id(scene._handle, encoded(name), number))
         found[index] = number[0]
     return found
-
-
-def _setter(columns: Mapping[str, Any]) -> Any:
-    """What sets the keys of a row: by id if all are numbers, otherwise one by one.
-
-    Options of profiles have no ids.
-    """
-    if not all(np.issubdtype(column.dtype, np.number) and key in keys() for key, column in columns.items()):
-        def set_words(scene: Scene, row: int) -> None:
-            for key, column in columns.items():
-                scene[key] = column[row]
-
-        return set_words
-    ids = _ids(list(columns), "key")
-    rows = doubles(np.stack(list(columns.values()), axis=-1)) if columns else np.empty((1, 0))
-
-    def set_numbers(scene: Scene, row: int) -> None:
-        scene._check(lib.wrc_scene_set_numbers_by_id(
-            scene._handle, pointer(ids, "int32_t"), pointer(rows[row]), len(ids)))
-
-    return set_numbers
 
 
 if not TYPE_CHECKING:  # _names.pyi lists the keywords

@@ -125,3 +125,75 @@ def test_a_file_is_read_once_and_again_when_it_changes(tmp_path):
 def test_a_scene_of_a_study_that_fails_keeps_the_others():
     data = wrcontact.solve(lateral=[0.0, 100.0], roll="en15302", **QUICK)
     assert list(data["status"]) == [0, wrcontact.NoContact.status] and np.isnan(data["left.pmax"][1])
+
+
+def test_values_hold_in_the_order_given(tmp_path):
+    rails = ["60E1", "54E1"]
+    for order in ({"rail": rails, "track_left_rail": "49E1"}, {"track_left_rail": "49E1", "rail": rails}):
+        data = wrcontact.solve(**order, **QUICK)
+        assert list(data["left.pmax"].values) == [
+            single(**{word: rail if word == "rail" else value for word, value in order.items()}) for rail in rails]
+        assert ("track.left.rail" in data.attrs) == (list(order)[0] == "rail")
+    wrcontact.Profile("54E1").write(worn := tmp_path / "worn.txt")
+    turned = wrcontact.study({"rail": [worn]}, ["left.pmax"], **{"track.rail.rotation": 0.005}, **QUICK)
+    assert float(turned["left.pmax"][0]) == single(rail={"file": worn, "rotation": 0.005}) != single(rail=worn)
+    loads = wrcontact.study({"load_both": [50e3, 80e3]}, ["left.pmax"], load_left=60e3, **QUICK)
+    assert list(loads["left.pmax"].values) == [single(load_left=60e3)] * 2 and loads.attrs["load.left"] == 60e3
+    with pytest.raises(wrcontact.InvalidArgument, match="convention.units takes one value"):
+        wrcontact.solve(lateral=np.array([1.0, 0.001]), units=np.array(["mm", "SI"]))
+
+
+def test_masked_values_are_refused():
+    masked = np.ma.masked_array([1.0, 1000.0], [False, True])
+    for call in (lambda: wrcontact.solve(lateral=masked), lambda: wrcontact.study({"lateral": masked}, ["roll"]),
+                 lambda: wrcontact.study({"lateral": list(masked)}, ["roll"]), lambda: wrcontact.Scene(lateral=masked[1])):
+        with pytest.raises(wrcontact.InvalidArgument, match="masked"):
+            call()
+
+
+def test_labelled_integers_stay_numbers():
+    pandas = pytest.importorskip("pandas")
+    for kind in (int, np.float32):
+        data = wrcontact.solve(lateral=pandas.Series([1, 2, 3], dtype=kind), until="geometry", outputs="roll")
+        assert data["pose.lateral"].dtype == float and list(data["pose.lateral"]) == [1, 2, 3]
+
+
+def test_constant_keys_and_equal_names_of_a_study(tmp_path):
+    data = wrcontact.solve(rail=["60E1", "54E1", "60E1"], until="geometry", outputs="roll")
+    assert {"track.rail", "track.left.rail"}.isdisjoint(data.attrs) and data.attrs["pose.yaw"] == 0
+    data = wrcontact.solve(load_both=[5e4, 8e4, np.nan, 5e4], until="geometry", outputs="roll")
+    assert {"load.both", "load.left"}.isdisjoint(data.attrs)
+    creepages = [[1e-3, 0, 0], [2e-3, 0, 0], [1e-3, 1e-3, 0], [1e-3, 0, 0]]
+    data = wrcontact.study({"creepage_left": creepages}, "roll", until="geometry")
+    assert {"creepage.left", "creepage.both"}.isdisjoint(data.attrs)
+    wrcontact.Profile("60E1").write(tmp_path / "worn.prr")
+    profiles = [wrcontact.Profile(tmp_path / "worn.prr", kind="rail", smoothing_wavelength=mm) for mm in (3.0, 5.0)]
+    data = wrcontact.study({"rail": profiles}, "roll", until="geometry")
+    assert list(data["track.rail"].values) == [f"worn; kind = rail; smoothing_wavelength = {mm}" for mm in (3.0, 5.0)]
+    assert list(wrcontact.study({"rail": profiles[:1]}, "roll", until="geometry")["track.rail"].values) == ["worn"]
+
+
+def test_a_row_that_is_refused_keeps_the_others():
+    for one in (np.nan, 20000.0):
+        data = wrcontact.solve(lateral=[0.0, one, 3.0], **QUICK)
+        assert list(data["status"]) == [0, wrcontact.InvalidArgument.status, 0]
+        assert "pose.lateral" in str(data["message"].values[1]) and np.isnan(data["left.pmax"][1])
+        assert float(data["left.pmax"][2]) == single(lateral=3)
+    with pytest.raises(wrcontact.InvalidArgument, match="pose.lateral"):
+        wrcontact.solve(lateral=[np.nan, np.nan])
+
+
+def test_mistakes_among_arrays_are_named():
+    with pytest.raises(wrcontact.UnknownName, match="laterl"):
+        wrcontact.solve(laterl=[1.0, 2.0], outputs=["roll"])
+    mixed = wrcontact.solve(roll=["en15302", 0.001], until="geometry", outputs="roll")
+    assert float(mixed["roll"][1]) == 0.001
+    for values, size in (({"side": ["left", "right"]}, 2), ({"lateral": []}, 0), ({"lateral": [1, "2"]}, 2)):
+        assert wrcontact.solve(**values, until="geometry", outputs="roll")["roll"].shape == (size,)
+    for call, text in ((lambda: wrcontact.Scene(roll=["en15302", 0.0]), "pose.roll has 2 values"),
+                       (lambda: wrcontact.Scene(lateral=[[1], [2, 3]]), "same length"),
+                       (lambda: wrcontact.Scene(results=["stress", 3]), "solve.results is"),
+                       (lambda: wrcontact.study({"rail": "60E1"}, ["roll"]), "track.rail is '60E1'; study takes a list"),
+                       (lambda: wrcontact.study({"lateral": 3}, ["roll"]), "pose.lateral is 3; study takes a list")):
+        with pytest.raises(wrcontact.InvalidArgument, match=text):
+            call()
