@@ -18,11 +18,11 @@ import numpy as np
 
 from ._library import lib, string
 from ._warnings import GRADES
-from .conicity import STANDARD
+from .conicity import STANDARD, over_defaults
 from .errors import ContactWarning, Error, InvalidArgument
 from .plot import picture_style
 from .profile import Profile
-from .scene import Scene, key_of, solve
+from .scene import Scene, solve
 
 if TYPE_CHECKING:
     from .result import Result
@@ -147,10 +147,7 @@ def report(wheel: Profile | str, rail: Profile | str, path: str | os.PathLike[st
     dict such as {"flange_height": (27, 36), "pmax": (None, 2500)}, or a file with the columns quantity, least, greatest,
     source. keys: of all scenes. Returns the path.
     """
-    values: dict[str, Any] = {"accuracy": 1e-2, **keys}
-    for word in keys:
-        if key_of(word) in ("wheelset.wheel", "track.rail", "pose.lateral", "solve.side", "convention.units", "convention.frame"):
-            raise InvalidArgument(f"{word}: the report sets {key_of(word)} itself")
+    values = over_defaults({"accuracy": 1e-2}, keys, "the report")
     pair = [one if isinstance(one, Profile) else Profile(one) for one in (wheel, rail)]
     nominal = [Profile(one) if isinstance(one, str) else one for one in (nominal_wheel, nominal_rail)]
     conicity = pair[0].conicity(pair[1], **values)

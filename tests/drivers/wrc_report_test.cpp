@@ -78,6 +78,7 @@ TEST_F(WrcReport, HasNominalDimensionsBesideThoseOfAWornWheel) {
   expect_part(page, row);
   expect_part(page, "Nominal: S1002, at most ");
   expect_part(page, "largest pressure over the smoothing wavelength");
+  run("S1002 60E1 --set solve.until=geometry").expect_refusal({"the report sets solve.until"});
   run("S1002 60E1 --nominal-rail LM").expect_refusal({"LM"});
 }
 

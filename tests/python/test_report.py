@@ -52,11 +52,32 @@ def test_limits_are_checked():
     assert verdict(float("nan"), 0.0, 1.0, None) == "not known"
     with pytest.raises(wrcontact.InvalidArgument, match="'pmx' is no quantity of a report; must be one of qr, pmax"):
         limits_of({"pmx": (None, 1.0)}, ["qr", "pmax"])
-    with pytest.raises(wrcontact.InvalidArgument, match="lateral: the report sets pose.lateral itself"):
-        wrcontact.report("S1002", "60E1", "/nowhere/r.html", lateral=3)
 
 
 def test_a_file_of_limits_without_its_columns_is_refused(tmp_path):
     (tmp_path / "limits.csv").write_text("quantity,most\nqr,5\n", encoding="utf-8")
     with pytest.raises(wrcontact.InvalidArgument, match="must have the columns quantity, least, greatest, source"):
         limits_of(tmp_path / "limits.csv", ["qr"])
+
+
+@pytest.mark.parametrize("key, name", [
+    ("lateral", "pose.lateral"), ("side", "solve.side"), ("until", "solve.until"), ("units", "convention.units"),
+    ("frame", "convention.frame"), ("track_left_rail", "track.left.rail"), ("wheelset_right_wheel", "wheelset.right.wheel"),
+    ("track.rail.smoothing", "track.rail.smoothing"), ("track.left.rail.shift", "track.left.rail.shift")])
+def test_what_report_and_conicity_set_themselves_is_refused(key, name):
+    with pytest.raises(wrcontact.InvalidArgument, match=f"{key}: the report sets {name} itself"):
+        wrcontact.report("S1002", "60E1", "/nowhere/r.html", **{key: 3})
+    with pytest.raises(wrcontact.InvalidArgument, match=f"{key}: the conicity sets {name} itself"):
+        wrcontact.Profile("S1002").conicity("60E1", **{key: 3})
+
+
+def test_a_default_can_be_given_by_any_word_of_its_key(monkeypatch):
+    wheel = wrcontact.Profile("S1002")
+    assert wheel.conicity("60E1", [3.0], pose_roll="solve").value != wheel.conicity("60E1", [3.0]).value
+
+    def show(*_, **keys):
+        raise ZeroDivisionError(str(keys))
+
+    monkeypatch.setattr(wrcontact.Profile, "conicity", show)
+    with pytest.raises(ZeroDivisionError, match="^{'solve_accuracy': 0.1}$"):
+        wrcontact.report(wheel, "60E1", "/nowhere/r.html", solve_accuracy=0.1)
