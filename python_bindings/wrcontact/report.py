@@ -157,7 +157,7 @@ def report(wheel: Profile | str, rail: Profile | str, path: str | os.PathLike[st
         lateral = np.arange(-_REACH, _REACH + 0.5 * _STEP, _STEP)
         positions: dict[str, Any] = {str(name): array for name, array in solve(
             lateral=lateral, wheel=pair[0], rail=pair[1], outputs=[f"left.{name}" for name in (
-                "pmax", "area", "rigid_contact.angle", "rigid_contact.rolling_radius", "rigid_contact.s_wheel",
+                "pmax", "area", "angle", "rigid_contact.rolling_radius", "rigid_contact.s_wheel",
                 "rigid_contact.t_rail")], **values).items()}
     facts = _facts(pair, conicity, centre, np.asarray(positions["left.pmax"]))
     page = _Page(" on ".join(Path(one.name).name for one in pair))
@@ -282,7 +282,7 @@ def _add_positions(page: _Page, lateral: Any, positions: Mapping[str, Any]) -> N
     from matplotlib.figure import Figure
 
     page.add("h2", "Left wheel over the lateral position")
-    columns = (("pmax", "pmax, MPa", 0), ("area", "area, mm²", 1), ("rigid_contact.angle", "contact angle, rad", 4),
+    columns = (("pmax", "pmax, MPa", 0), ("area", "area, mm²", 1), ("angle", "contact angle, rad", 4),
                ("rigid_contact.rolling_radius", "rolling radius, mm", 3), ("rigid_contact.s_wheel", "s on the wheel, mm", 2),
                ("rigid_contact.t_rail", "t on the rail, mm", 2))
     arrays = [np.asarray(positions[f"left.{name}"]) for name, _, _ in columns]

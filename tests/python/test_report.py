@@ -44,6 +44,8 @@ def test_a_report_has_what_its_profiles_and_scenes_have(tmp_path):
     (row,) = [row for row in cells_of(page, "Centred on the track") if row[0] == "left pmax"]
     assert row[2:5] == [f"{value:.0f}" for value in (centre.left.pmax, centre["left.smoothed_0mm.pmax"], centre["left.smoothed_3mm.pmax"])]
     assert page.count("<img ") == 6
+    row = next(row for row in cells_of(page, "Left wheel over the lateral position") if row[0] == "0.0")
+    assert row[3] == f"{centre.left.angle:.4f}" != f"{centre.left.rigid_contact.angle:.4f}"
 
 
 def test_limits_are_checked():
