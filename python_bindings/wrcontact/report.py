@@ -275,6 +275,21 @@ def _add_smoothing(page: _Page, centre: Result) -> None:
     axes.legend()
     page.picture(figure, "largest pressure over the smoothing wavelength")
     page.table(rows)
+    page.listed(_spread_warnings(centre))
+
+
+def _spread_warnings(centre: Result) -> list[str]:
+    """As drivers/reports/smoothing.cpp."""
+    lines = []
+    for side in ("left", "right"):
+        shares = {name: centre[f"{side}.spread.{name}"] / centre[f"{side}.{name}"] for name in ("pmax", "area")}
+        if math.isnan(shares["area"]):
+            lines.append(f"Note: {side}: how far noise moves pmax and area is not known: the points of a profile are too far apart")
+        if any(share > centre.scene["solve.accuracy"] for share in shares.values()):
+            text = ", ".join(f"{name} by {1e2 * share:.1f} %" for name, share in shares.items() if not math.isnan(share))
+            lead = ("Note", "A little over", "Do not use")[centre[f"{side}.spread.grade"]]
+            lines.append(f"{lead}: {side}: uncertain by noise or short waves of the profiles: {text}")
+    return lines
 
 
 def _add_positions(page: _Page, lateral: Any, positions: Mapping[str, Any]) -> None:

@@ -1,12 +1,13 @@
 """The page that wrcontact.report writes."""
 import hashlib
 import re
+import subprocess
 
 import numpy as np
 import pytest
 
 import wrcontact
-from conftest import PROJECT
+from conftest import BUILD, PROJECT
 from wrcontact.report import limits_of, verdict
 
 MEASURED = PROJECT / "tests/reference/profiles/Car7216_0001r.txt"
@@ -46,6 +47,15 @@ def test_a_report_has_what_its_profiles_and_scenes_have(tmp_path):
     assert page.count("<img ") == 6
     row = next(row for row in cells_of(page, "Left wheel over the lateral position") if row[0] == "0.0")
     assert row[3] == f"{centre.left.angle:.4f}" != f"{centre.left.rigid_contact.angle:.4f}"
+
+
+def test_the_uncertainty_by_noise_is_told_as_by_wrc_case(tmp_path):
+    keys = {"load_both": 60e3, "accuracy": 0.1}
+    page = wrcontact.report(str(MEASURED), "60E1", tmp_path / "r.html", **keys).read_text(encoding="utf-8")
+    answer = subprocess.run([BUILD / "bin/wrc_case", "--set", f"wheelset.wheel={MEASURED}", "track.rail=60E1", "load.both=60000",
+                             "solve.accuracy=0.1"], check=True, capture_output=True, text=True).stdout
+    told = [line.partition("Do not use: ")[2] for line in answer.splitlines() if "uncertain by noise" in line]
+    assert len(told) == 2 and all(f"<li>Do not use: {text}</li>" in page for text in told)
 
 
 def test_limits_are_checked():
