@@ -71,6 +71,19 @@ def _read_options(options: dict[str, Any]) -> Any:
     return struct
 
 
+def files_of(*profiles: Profile) -> list[str]:
+    """What was read for them."""
+    return [os.fsdecode(name) for made, arguments, options in (profile._made for profile in profiles)
+            for name in (*(arguments if made == Profile.from_file else ()), options.get("align_to")) if name]
+
+
+def refuse_overwriting(path: str | os.PathLike[str], files: Sequence[str]) -> None:
+    """InvalidArgument if a file to be written is one of those that are read."""
+    for file in files:
+        if os.path.exists(path) and os.path.exists(file) and os.path.samefile(path, file):
+            raise InvalidArgument(f"path is {os.fspath(path)}, which is read as {file}; must be another file")
+
+
 def _made_by(function: Any, arguments: tuple[Any, ...], options: dict[str, Any]) -> Profile:
     made: Profile = function(*arguments, **options)
     return made
@@ -243,7 +256,8 @@ class Profile(Handle):
         return _made_by(made, arguments, {**before, **options})
 
     def write(self, path: str | os.PathLike[str], spacing: float = 0.1) -> None:
-        """Writes two columns, or .prr/.prw, of points `spacing` mm apart. FileUnreadable."""
+        """Writes two columns, or .prr/.prw, of points `spacing` mm apart, to a file that it was not read from. FileUnreadable."""
+        refuse_overwriting(path, files_of(self))
         self._check(lib.wrc_profile_write(self._handle, encoded(path), spacing))
 
     def plot(self, path: str | os.PathLike[str] | None = None, *, ax: Any = None) -> Any:

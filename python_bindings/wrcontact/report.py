@@ -8,6 +8,7 @@ import hashlib
 import io
 import math
 import os
+import shutil
 import warnings
 from collections.abc import Mapping, Sequence
 from html import escape
@@ -21,7 +22,7 @@ from ._warnings import GRADES
 from .conicity import STANDARD, over_defaults
 from .errors import ContactWarning, Error, InvalidArgument
 from .plot import picture_style
-from .profile import Profile
+from .profile import Profile, files_of, refuse_overwriting
 from .scene import Scene, solve
 
 if TYPE_CHECKING:
@@ -150,6 +151,8 @@ def report(wheel: Profile | str, rail: Profile | str, path: str | os.PathLike[st
     values = over_defaults({"accuracy": 1e-2}, keys, "the report")
     pair = [one if isinstance(one, Profile) else Profile(one) for one in (wheel, rail)]
     nominal = [Profile(one) if isinstance(one, str) else one for one in (nominal_wheel, nominal_rail)]
+    refuse_overwriting(path, files_of(*pair, *(one for one in nominal if one is not None))
+                       + ([] if limits is None or isinstance(limits, Mapping) else [os.fspath(limits)]))
     conicity = pair[0].conicity(pair[1], **values)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ContactWarning)  # they are in the page
@@ -188,9 +191,22 @@ def report(wheel: Profile | str, rail: Profile | str, path: str | os.PathLike[st
         if amplitude % 1 == 0 and (not reason or amplitude == STANDARD))])
     for profile, other in zip(pair, nominal):
         _add_profile(page, profile, other)
-    target = Path(path)
-    target.write_text("".join(page.parts) + "</html>\n", encoding="utf-8")
-    return target
+    _write_whole(os.path.realpath(path), "".join(page.parts) + "</html>\n")
+    return Path(path)
+
+
+def _write_whole(path: str, text: str) -> None:
+    """Aside first, so that the file is whole or as it was; a device or pipe has no aside."""
+    aside = path if os.path.exists(path) and not os.path.isfile(path) else f"{path}.{os.getpid()}.part"
+    try:
+        Path(aside).write_text(text, encoding="utf-8")
+        if aside != path:
+            if os.path.exists(path):
+                shutil.copymode(path, aside)
+            os.replace(aside, path)
+    finally:
+        if aside != path:
+            Path(aside).unlink(missing_ok=True)
 
 
 def _solved(**values: Any) -> Result | str:
@@ -282,7 +298,7 @@ def _spread_warnings(centre: Result) -> list[str]:
     """As drivers/reports/smoothing.cpp."""
     lines = []
     for side in ("left", "right"):
-        shares = {name: centre[f"{side}.spread.{name}"] / centre[f"{side}.{name}"] for name in ("pmax", "area")}
+        shares = {name: centre[f"{side}.spread.{name}"] / (centre[f"{side}.{name}"] or math.nan) for name in ("pmax", "area")}
         if math.isnan(shares["area"]):
             lines.append(f"Note: {side}: how far noise moves pmax and area is not known: the points of a profile are too far apart")
         if any(share > centre.scene["solve.accuracy"] for share in shares.values()):

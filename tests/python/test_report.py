@@ -8,7 +8,7 @@ import pytest
 
 import wrcontact
 from conftest import BUILD, PROJECT
-from wrcontact.report import limits_of, verdict
+from wrcontact.report import _write_whole, limits_of, verdict
 
 MEASURED = PROJECT / "tests/reference/profiles/Car7216_0001r.txt"
 pytest.importorskip("matplotlib")
@@ -56,6 +56,33 @@ def test_the_uncertainty_by_noise_is_told_as_by_wrc_case(tmp_path):
                              "solve.accuracy=0.1"], check=True, capture_output=True, text=True).stdout
     told = [line.partition("Do not use: ")[2] for line in answer.splitlines() if "uncertain by noise" in line]
     assert len(told) == 2 and all(f"<li>Do not use: {text}</li>" in page for text in told)
+
+
+def test_a_file_that_is_read_is_not_overwritten(tmp_path, monkeypatch):
+    monkeypatch.setattr(wrcontact.Profile, "conicity", lambda *_, **__: pytest.fail("solves before it refuses"))
+    names = ["wheel.txt", "rail.txt", "limits.csv", "wheel0.txt"]
+    for name, source in zip(names, ("S1002", "60E1", None, "S1002")):
+        (tmp_path / name).write_text("", encoding="utf-8") if source is None else wrcontact.Profile(source).write(tmp_path / name)
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "link.txt").symlink_to("wheel.txt")
+    before = [(tmp_path / name).read_bytes() for name in names]
+    for name in [*names, "link.txt"]:
+        with pytest.raises(wrcontact.InvalidArgument, match=f"path is .*{name}, which is read as .*; must be another file"):
+            wrcontact.report("wheel.txt", "rail.txt", tmp_path / name, limits="limits.csv", nominal_wheel="wheel0.txt")
+    with pytest.raises(wrcontact.InvalidArgument, match="must be another file"):
+        wrcontact.Profile("wheel.txt").write(tmp_path / "link.txt")
+    assert [(tmp_path / name).read_bytes() for name in names] == before
+
+
+def test_a_page_that_cannot_be_written_leaves_the_old_one(tmp_path):
+    page = tmp_path / "r.html"
+    page.write_text("old", encoding="utf-8")
+    page.chmod(0o600)
+    _write_whole(str(page), "new")
+    assert page.read_text(encoding="utf-8") == "new" and page.stat().st_mode & 0o777 == 0o600
+    with pytest.raises(UnicodeEncodeError):
+        _write_whole(str(page), "half \udc80")
+    assert page.read_text(encoding="utf-8") == "new" and list(tmp_path.iterdir()) == [page]
 
 
 def test_limits_are_checked():
