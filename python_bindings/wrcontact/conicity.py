@@ -45,6 +45,7 @@ class Conicity:
     rolling_radius_difference: Array
     angle_difference: Array  #: tan of the left contact angle minus tan of the right one
     reasons: tuple[str, ...]
+    standard_spread: float  #: that of `value`, at 3 mm, whatever the amplitudes
     units: dict[str, str] = field(default_factory=lambda: {
         "amplitude": "mm", "conicity": "1", "spread": "1", "lateral": "mm", "rolling_radius_difference": "mm",
         "angle_difference": "1"})
@@ -75,8 +76,7 @@ class Conicity:
         return plot.draw_conicity(self, path, ax)
 
     def __repr__(self) -> str:
-        spread = float(np.interp(STANDARD, self.amplitude, self.spread))
-        more = f" ± {spread:.4f}" if spread > 0.0 else ""
+        more = f" ± {self.standard_spread:.4f}" if self.standard_spread > 0.0 else ""
         return f"<wrcontact.Conicity {self.value:.4f}{more} at an amplitude of 3 mm>"
 
 
@@ -107,9 +107,9 @@ def conicity_of(wheel: Profile, rail: Profile, amplitudes: Sequence[float] | Arr
                             + math.tan(result["right.rigid_contact.angle"]))
     found = [equivalent_conicity(lateral, difference, one) for one in at]
     known = lateral[~np.isnan(difference)]
-    spread = _spread_of(solver, scene, known, at) if known.size else np.zeros(at.size)
-    return Conicity(at, np.array([value for value, _ in found]), spread, lateral, difference, angle,
-                    tuple(reason for _, reason in found))
+    spread = _spread_of(solver, scene, known, np.append(at, STANDARD)) if known.size else np.zeros(at.size + 1)
+    return Conicity(at, np.array([value for value, _ in found]), spread[:-1], lateral, difference, angle,
+                    tuple(reason for _, reason in found), float(spread[-1]))
 
 
 def _solved(solver: Solver, scene: Scene, lateral: float) -> Any:

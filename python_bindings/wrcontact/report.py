@@ -224,8 +224,7 @@ def _facts(pair: Sequence[Profile], conicity: Any, centre: Result | str, pmax: A
         dimensions = profile.dimensions
         for name, value in dimensions.items():
             facts[name] = (value, 0.0, dimensions.units[name], dimensions.long_name[name])
-    spread = float(np.interp(STANDARD, conicity.amplitude, conicity.spread))
-    numbers = {"equivalent_conicity": (conicity.value, spread), "pmax_centred": (math.nan, 0.0),
+    numbers = {"equivalent_conicity": (conicity.value, conicity.standard_spread), "pmax_centred": (math.nan, 0.0),
                "pmax": (float(np.nanmax(pmax)) if np.isfinite(pmax).any() else math.nan, 0.0)}
     if not isinstance(centre, str):
         numbers["pmax_centred"] = (centre.left.pmax, centre["left.spread.pmax"])

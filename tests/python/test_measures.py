@@ -77,6 +77,9 @@ def test_conicity_is_that_of_the_shipped_study(wheel, tmp_path):
             assert np.isclose(value, float(row[column] or "nan"), rtol=1e-6, atol=1e-9, equal_nan=True), row
         assert reason == row["message"]
     assert found.value == found.at(3.0) and f"{found.value:.4f}" in repr(found)
+    for amplitudes in ([6.0, 2.0], []):
+        other = wrcontact.Profile(wheel).conicity("60E1", amplitudes)
+        assert repr(other) == repr(found) and other.standard_spread == found.spread[found.amplitude == 3.0]
     with pytest.raises(wrcontact.InvalidArgument, match="must be a wheel, and a rail"):
         wrcontact.Profile("60E1").conicity("60E1")
 
