@@ -112,29 +112,50 @@ def limits_of(limits: Limits, known: Sequence[str]) -> list[tuple[str, float | N
     if limits is None:
         return []
     if isinstance(limits, Mapping):
-        rows: list[Any] = [(name, *pair, "the caller") for name, pair in limits.items()]
+        name, given = "limits", [(quantity, pair, "the caller") for quantity, pair in limits.items()]
     else:
-        with open(limits, encoding="utf-8", newline="") as file:
-            table = csv.DictReader(file)
-            try:
-                rows = [(row["quantity"], *(float(row[side]) if row[side] else None for side in ("least", "greatest")),
-                         row["source"] or "") for row in table]
-            except (KeyError, TypeError, ValueError) as error:
-                raise InvalidArgument(f"{os.fspath(limits)}: must have the columns quantity, least, greatest, source, "
-                                      f"numbers or nothing in the second and third ({error})") from error
-    for name, *_ in rows:
-        if name not in known:
-            raise InvalidArgument(f"limits: {name!r} is no quantity of a report; must be one of {', '.join(known)}")
+        name, given = os.fspath(limits), _limits_in(limits)
+    rows = []
+    for quantity, pair, source in given:
+        if quantity not in known:
+            raise InvalidArgument(f"{name}: {quantity!r} is no quantity of a report; must be one of {', '.join(known)}")
+        try:
+            least, greatest = (None if one is None else float(one) for one in pair)
+            numbers = [one for one in (least, greatest) if one is not None]
+            if not numbers or not all(map(math.isfinite, numbers)) or numbers != sorted(numbers):
+                raise ValueError
+        except (TypeError, ValueError):
+            raise InvalidArgument(f"{name}: the limits of {quantity} are {pair!r}; must be two finite numbers, the least one "
+                                  "first, one of which may be missing (None, or nothing in a file)") from None
+        rows.append((quantity, least, greatest, source))
+    if not rows:
+        raise InvalidArgument(f"{name}: has no limits; must have one or more")
     return rows
 
 
+def _limits_in(path: str | os.PathLike[str]) -> list[tuple[str, tuple[str | None, str | None], str]]:
+    with open(path, encoding="utf-8-sig", newline="") as file:  # Excel begins with a mark
+        table = csv.DictReader(file)
+        try:
+            if len(set(table.fieldnames or ())) < len(table.fieldnames or ()):
+                raise ValueError("a column is given twice")
+            rows = list(table)
+            if any(None in row or None in row.values() for row in rows):
+                raise ValueError("a row has another number of entries than the first line")
+            return [(row["quantity"], (row["least"] or None, row["greatest"] or None), row["source"]) for row in rows]
+        except (KeyError, ValueError) as error:
+            raise InvalidArgument(f"{os.fspath(path)}: must have the columns quantity, least, greatest, source ({error})") from error
+
+
 def verdict(value: float, spread: float, least: float | None, greatest: float | None) -> str:
-    """pass, fail, or what is between: a limit within the spread, or no value."""
+    """pass, fail, or what is between: a limit within the spread, or no value or spread."""
     if math.isnan(value):
         return "not known"
     low, high = -math.inf if least is None else least, math.inf if greatest is None else greatest
     if not low <= value <= high:
         return "fail"
+    if math.isnan(spread):
+        return "pass, spread unknown"
     return "pass" if low <= value - spread and value + spread <= high else "pass, within its spread of the limit"
 
 
@@ -153,6 +174,7 @@ def report(wheel: Profile | str, rail: Profile | str, path: str | os.PathLike[st
     nominal = [Profile(one) if isinstance(one, str) else one for one in (nominal_wheel, nominal_rail)]
     refuse_overwriting(path, files_of(*pair, *(one for one in nominal if one is not None))
                        + ([] if limits is None or isinstance(limits, Mapping) else [os.fspath(limits)]))
+    rows = limits_of(limits, [*(name for one in pair for name in one.dimensions), *_OF_PAIRS])
     conicity = pair[0].conicity(pair[1], **values)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ContactWarning)  # they are in the page
@@ -169,7 +191,6 @@ def report(wheel: Profile | str, rail: Profile | str, path: str | os.PathLike[st
                   f"wrcontact.report in Python{': ' + shown if shown else ''}. mm, N, MPa, rad.")
     page.listed([_origin(one) for one in pair])
     _add_brief(page, facts, conicity, lateral, np.asarray(positions["left.pmax"]))
-    rows = limits_of(limits, list(facts))
     if rows:
         page.add("h2", "Limits")
         decimals = {"mm": 2, "MPa": 0, "1": 4}
@@ -228,8 +249,7 @@ def _facts(pair: Sequence[Profile], conicity: Any, centre: Result | str, pmax: A
                "pmax": (float(np.nanmax(pmax)) if np.isfinite(pmax).any() else math.nan, 0.0)}
     if not isinstance(centre, str):
         numbers["pmax_centred"] = (centre.left.pmax, centre["left.spread.pmax"])
-    facts.update({name: (value, 0.0 if math.isnan(range_) else range_, *_OF_PAIRS[name])
-                  for name, (value, range_) in numbers.items()})
+    facts.update({name: (*found, *_OF_PAIRS[name]) for name, found in numbers.items()})
     return facts
 
 

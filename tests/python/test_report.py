@@ -89,14 +89,34 @@ def test_limits_are_checked():
     assert verdict(1.0, 0.0, None, 1.0) == "pass" and verdict(1.1, 0.0, None, 1.0) == "fail"
     assert verdict(1.0, 0.1, None, 1.05) == "pass, within its spread of the limit" and verdict(0.9, 0.0, 1.0, None) == "fail"
     assert verdict(float("nan"), 0.0, 1.0, None) == "not known"
+    assert verdict(1.0, float("nan"), None, 1.5) == "pass, spread unknown" and verdict(2.0, float("nan"), None, 1.5) == "fail"
     with pytest.raises(wrcontact.InvalidArgument, match="'pmx' is no quantity of a report; must be one of qr, pmax"):
         limits_of({"pmx": (None, 1.0)}, ["qr", "pmax"])
 
 
-def test_a_file_of_limits_without_its_columns_is_refused(tmp_path):
-    (tmp_path / "limits.csv").write_text("quantity,most\nqr,5\n", encoding="utf-8")
-    with pytest.raises(wrcontact.InvalidArgument, match="must have the columns quantity, least, greatest, source"):
+HEAD = "quantity,least,greatest,source\n"
+
+
+@pytest.mark.parametrize("text, trouble", [
+    ("quantity,most\nqr,5\n", "must have the columns quantity, least, greatest, source"), (HEAD, "has no limits"),
+    ("quantity,least,least,greatest,source\nqr,1,2,3,x\n", "a column is given twice"), (HEAD + "qr,1\n", "another number of entries"),
+    (HEAD + "qr,nan,,x\n", "'nan'"), (HEAD + "qr,20,5,x\n", "limits of qr"), (HEAD + "qr,,,\n", "None, None"), (HEAD + "qr,,inf,x\n", "inf")])
+def test_a_file_with_bad_limits_is_refused(tmp_path, text, trouble):
+    (tmp_path / "limits.csv").write_text(text, encoding="utf-8")
+    with pytest.raises(wrcontact.InvalidArgument, match=f"limits.csv: .*{trouble}"):
         limits_of(tmp_path / "limits.csv", ["qr"])
+
+
+@pytest.mark.parametrize("pair", [7, ("7", None, 8), ("x", None), (None, None), (float("nan"), 1), (2, 1)])
+def test_bad_limits_of_a_dict_are_refused_before_solving(monkeypatch, pair):
+    monkeypatch.setattr(wrcontact.Profile, "conicity", lambda *_, **__: pytest.fail("solves before it refuses"))
+    with pytest.raises(wrcontact.InvalidArgument, match="the limits of qr are .*; must be two finite numbers"):
+        wrcontact.report("S1002", "60E1", "/nowhere/r.html", limits={"qr": pair})
+
+
+def test_limits_as_excel_writes_them_are_read(tmp_path):
+    (tmp_path / "limits.csv").write_bytes(b"\xef\xbb\xbf" + HEAD.replace("\n", "\r\n").encode() + b"qr,,5,x\r\n")
+    assert limits_of(tmp_path / "limits.csv", ["qr"]) == [("qr", None, 5.0, "x")]
 
 
 @pytest.mark.parametrize("key, name", [
