@@ -211,12 +211,21 @@ class Profile(Handle):
 
         The flange back is at the `tape_offset` that the profile was read with, 70 mm if none was given.
         """
-        return dimensions_of(self, self._made[2].get("tape_offset") or _TAPE_OFFSET)
+        return self._dimensions_of(self)
 
-    def compare(self, other: Profile) -> Comparison:
-        """Normal distance to another profile, both in their own frame: `align` lays one on the other first."""
+    def _dimensions_of(self, profile: Profile) -> Dimensions:
+        """With the flange back of this one."""
+        return dimensions_of(profile, self._made[2].get("tape_offset") or _TAPE_OFFSET)
+
+    def compare(self, other: Profile | str) -> Comparison:
+        """Normal distance to another profile, or a name of one, both in their own frame: `align` lays one on the other first.
+
+        Dimensions of both are measured with the `tape_offset` of this one, as wrc_profile does.
+        """
+        other = other if isinstance(other, Profile) else Profile(other)
+
         def differences() -> Dimensions:
-            own, others = self.dimensions, other.dimensions
+            own, others = self.dimensions, self._dimensions_of(other)
             own.update({name: value - others[name] for name, value in own.items()})
             return own
 

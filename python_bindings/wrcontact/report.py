@@ -357,7 +357,7 @@ def _add_profile(page: _Page, profile: Profile, nominal: Profile | None) -> None
     head: tuple[Any, ...] = ("dimension", "value", "unit")
     rows: list[tuple[Any, ...]] = [(own.long_name[name], (value, 3), own.units[name].replace("1", "")) for name, value in own.items()]
     if nominal is not None:
-        others = nominal.dimensions
+        others = profile._dimensions_of(nominal)
         head = ("dimension", "value", f"nominal: {nominal.name}", "difference", "unit")
         rows = [(label, value, (others[name], 3), (own[name] - others[name], 3), unit)
                 for name, (label, value, unit) in zip(own, rows)]
