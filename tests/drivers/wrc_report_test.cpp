@@ -76,6 +76,15 @@ TEST_F(WrcReport, ChecksTheLimitsOfTheUser) {
   run("S1002 60E1 --limits limits.csv --page limits.csv").expect_refusal({"limits.csv"});
 }
 
+TEST_F(WrcReport, SaysThatASpreadIsUnknown) {
+  NEEDS_GNUPLOT();
+  ASSERT_EQ(run(WRC_PROFILE_PROGRAM, "S1002 --convert sparse.txt --spacing 6").exit_code, 0);
+  write("limits.csv", "quantity,least,greatest,source\npmax_centred,,9000,x\n");
+  ASSERT_EQ(run("sparse.txt 60E1 --quiet --set solve.accuracy=0.1 --limits limits.csv").exit_code,
+            0);
+  expect_part(read("report.html"), "<td>pass, spread unknown</td>");
+}
+
 TEST_F(WrcReport, HasNominalDimensionsBesideThoseOfAWornWheel) {
   NEEDS_GNUPLOT();
   const auto own = run_json(WRC_PROFILE_PROGRAM, "'worn one.txt'");
