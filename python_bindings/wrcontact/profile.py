@@ -1,6 +1,7 @@
 """Profiles of wheels and rails."""
 from __future__ import annotations
 
+import hashlib
 import os
 import weakref
 from collections.abc import Sequence
@@ -107,14 +108,14 @@ class Profile(Handle):
     """
 
     _kind = "profile"
+    _digest = "not known"  # SHA-256 of the file as it was read
 
     def __init__(self, name: str | os.PathLike[str], **options: Any) -> None:
         super().__init__()
         self._made: tuple[Any, ...] = (Profile, (os.fspath(name),), options)
         if options or lib.wrc_profile_load_standard(self._handle, encoded(name)) != 0:
             self._made = (Profile.from_file, (os.fspath(name),), options)
-            self._check(lib.wrc_profile_load_file(self._handle, encoded(name),
-                                                  _read_options(options)))
+            self._load(name, options)
 
     @classmethod
     def from_file(cls, path: str | os.PathLike[str], **options: Any) -> Profile:
@@ -122,8 +123,14 @@ class Profile(Handle):
         profile = cls.__new__(cls)
         Handle.__init__(profile)
         profile._made = (Profile.from_file, (os.fspath(path),), options)
-        profile._check(lib.wrc_profile_load_file(profile._handle, encoded(path), _read_options(options)))
+        profile._load(path, options)
         return profile
+
+    def _load(self, path: str | os.PathLike[str], options: dict[str, Any]) -> None:
+        self._check(lib.wrc_profile_load_file(self._handle, encoded(path), _read_options(options)))
+        if os.path.isfile(path):  # a pipe cannot be read again
+            with open(path, "rb") as file:
+                self._digest = hashlib.sha256(file.read()).hexdigest()
 
     @classmethod
     def from_points(cls, kind: str, lateral: ArrayLike, height: ArrayLike, *, name: str = "points",

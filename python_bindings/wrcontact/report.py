@@ -99,8 +99,7 @@ def _origin(profile: Profile) -> str:
     made, arguments, options = profile._made
     words = "".join(f", {name} = {value}" for name, value in options.items())
     if made == Profile.from_file:
-        digest = hashlib.sha256(Path(arguments[0]).read_bytes()).hexdigest()
-        return f"{profile.kind}: {Path(arguments[0]).name}{words}; SHA-256 {digest}"
+        return f"{profile.kind}: {Path(arguments[0]).name}{words}; SHA-256 {profile._digest}"
     if made == Profile:
         return f"{profile.kind}: {profile.name}, built in"
     digest = hashlib.sha256(np.concatenate(arguments[1:]).tobytes()).hexdigest()

@@ -8,7 +8,7 @@ import pytest
 
 import wrcontact
 from conftest import BUILD, PROJECT
-from wrcontact.report import _write_whole, limits_of, verdict
+from wrcontact.report import _origin, _write_whole, limits_of, verdict
 
 MEASURED = PROJECT / "tests/reference/profiles/Car7216_0001r.txt"
 pytest.importorskip("matplotlib")
@@ -83,6 +83,15 @@ def test_a_page_that_cannot_be_written_leaves_the_old_one(tmp_path):
     with pytest.raises(UnicodeEncodeError):
         _write_whole(str(page), "half \udc80")
     assert page.read_text(encoding="utf-8") == "new" and list(tmp_path.iterdir()) == [page]
+
+
+def test_the_checksum_is_that_of_the_file_that_was_read(tmp_path):
+    path = tmp_path / "wheel.txt"
+    wrcontact.Profile("S1002").write(path)
+    profiles = wrcontact.Profile(path), wrcontact.Profile.from_file(path, kind="wheel")
+    digest = hashlib.sha256(path.read_bytes()).hexdigest()
+    path.unlink()
+    assert all(_origin(profile).endswith(f"SHA-256 {digest}") for profile in profiles)
 
 
 def test_limits_are_checked():
