@@ -77,9 +77,15 @@ CsvTable::CsvTable(const std::filesystem::path& path) : path_(path.string()) {
   if (!std::getline(in, line)) {
     throw Failure("cannot read " + path_ + ": is it there?");
   }
-  names_ = entries_of(line);
+  const auto entries = [&line] { // lines of Excel end in \r\n
+    return entries_of(line.ends_with('\r') ? line.substr(0, line.size() - 1) : line);
+  };
+  if (line.starts_with("\xEF\xBB\xBF")) { // and its files begin so
+    line.erase(0, 3);
+  }
+  names_ = entries();
   while (std::getline(in, line)) {
-    rows_.push_back(entries_of(line));
+    rows_.push_back(entries());
     if (rows_.back().size() != names_.size()) {
       throw Failure(path_ + ", line " + std::to_string(rows_.size() + 1) +
                     ": the number of entries must be that of the names in the first line");
@@ -91,6 +97,9 @@ std::size_t CsvTable::column(const std::string& name) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
   if (found == names_.end()) {
     throw Failure(path_ + " has no column " + name);
+  }
+  if (std::find(found + 1, names_.end(), name) != names_.end()) {
+    throw Failure(path_ + " has the column " + name + " twice");
   }
   return static_cast<std::size_t>(found - names_.begin());
 }

@@ -15,8 +15,8 @@ double limit_in(const std::string& path, const std::string& text, double none) {
     return none;
   }
   const std::optional<double> number = number_in(text);
-  if (!number) {
-    throw Failure(path + ": a limit is " + text + "; must be a number, or nothing");
+  if (!number || !std::isfinite(*number)) {
+    throw Failure(path + ": a limit is " + text + "; must be a finite number, or nothing");
   }
   return *number;
 }
@@ -38,7 +38,14 @@ std::vector<Limit> read_limits(const std::string& path) {
     Limit limit{names[i], 0.0, 0.0, source[i]};
     limit.least = limit_in(path, least[i], -std::numeric_limits<double>::infinity());
     limit.greatest = limit_in(path, greatest[i], std::numeric_limits<double>::infinity());
+    if (!(limit.least <= limit.greatest) || (least[i].empty() && greatest[i].empty())) {
+      throw Failure(path + ": the limits of " + names[i] + " are '" + least[i] + "' and '" +
+                    greatest[i] + "'; must be one or two numbers, the least one first");
+    }
     limits.push_back(limit);
+  }
+  if (limits.empty()) {
+    throw Failure(path + " has no limits; must have one or more");
   }
   return limits;
 }
@@ -50,6 +57,9 @@ std::string verdict(const Quantity& quantity, const Limit& limit) {
   }
   if (!keeps(quantity.value)) {
     return "fail";
+  }
+  if (std::isnan(quantity.spread)) {
+    return "pass, spread unknown";
   }
   return keeps(quantity.value - quantity.spread) && keeps(quantity.value + quantity.spread)
              ? "pass"

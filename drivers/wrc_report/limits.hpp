@@ -11,7 +11,7 @@ namespace driver {
 /// A number of a report that can have limits.
 struct Quantity {
   double value = std::numeric_limits<double>::quiet_NaN();
-  double spread = 0.0; ///< half of the range in which it lies in 95 of 100 cases
+  double spread = 0.0; ///< half of the range in which it lies in 95 of 100 cases; NaN: unknown
   std::string unit;    ///< mm, MPa, or empty
   std::string meaning;
 };
@@ -25,10 +25,11 @@ struct Limit {
 };
 
 /// Of a CSV file with the columns quantity, least, greatest and source; an empty number is no
-/// limit. Throws Failure for other columns, and for texts where numbers should be.
+/// limit. Throws Failure for other columns, for texts where finite numbers should be, and for rows
+/// without a limit.
 std::vector<Limit> read_limits(const std::string& path);
 
-/// pass, fail, or what is between: a limit within the spread, or no value.
+/// pass, fail, or what is between: a limit within the spread, or no value or spread.
 std::string verdict(const Quantity& quantity, const Limit& limit);
 
 /// A row of titles and one for each limit. Throws Failure for an unknown quantity.

@@ -243,12 +243,11 @@ Quantities quantities_of(const Pair& pair, const Scene& centre,
                       one.label + ": " + one.definition};
     }
   }
-  const auto known = [](double spread) { return std::isnan(spread) ? 0.0 : spread; };
-  all["equivalent_conicity"] = {conicity.standard(), known(conicity.standard_spread()), "",
+  all["equivalent_conicity"] = {conicity.standard(), conicity.standard_spread(), "",
                                 "equivalent conicity at an amplitude of " +
                                     general(standard_amplitude) + " mm"};
   all["pmax_centred"] = {centre.number_or("left.pmax", std::nan("")),
-                         known(centre.number_or("left.spread.pmax", 0.0)), "MPa",
+                         centre.number_or("left.spread.pmax", 0.0), "MPa",
                          "largest pressure, centred"};
   Quantity& pmax = all["pmax"] = {std::nan(""), 0.0, "MPa", "largest pressure at any position"};
   for (const Position& one : positions) {

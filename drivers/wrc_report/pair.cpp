@@ -85,7 +85,7 @@ Pair::Pair(const std::string& wheel_name, const std::string& rail_name,
   for (const std::string& text : assignments) {
     const std::string key = split_assignment(text).key;
     for (const char* own : {"wheelset.wheel", "track.rail", "pose.lateral", "solve.side",
-                            "convention.units", "convention.frame"}) {
+                            "solve.until", "convention.units", "convention.frame"}) {
       if (key == own || profile_of(key) == own) {
         throw Failure("--set " + text + ": must be another key; the report sets " + key +
                       " itself");

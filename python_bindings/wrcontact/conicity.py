@@ -6,16 +6,17 @@ between positions, the free wheelset's wave in closed form. mm; amplitude is hal
 from __future__ import annotations
 
 import math
+import re
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ._library import Array
-from .errors import ContactWarning, Error
-from .scene import Scene
+from .errors import ContactWarning, Error, InvalidArgument
+from .scene import Scene, key_of
 from .solver import Solver
 
 if TYPE_CHECKING:
@@ -25,6 +26,7 @@ STANDARD = 3.0  # mm, the amplitude at which conicities are compared
 _REACH, _STEP, _SPREAD_STEP = 9.0, 0.05, 0.25  # mm
 _ZERO = 1e-9  # mm, differences that count as none
 _ROUNDING = 1e-9
+_OWN = {"wheelset.wheel", "track.rail", "pose.lateral", "solve.side", "solve.until", "convention.units", "convention.frame"}
 _DEVIATIONS, _LEAST_CURVES = 2.228, 7  # 95 of 100 cases, by ten curves
 
 
@@ -43,6 +45,7 @@ class Conicity:
     rolling_radius_difference: Array
     angle_difference: Array  #: tan of the left contact angle minus tan of the right one
     reasons: tuple[str, ...]
+    standard_spread: float  #: that of `value`, at 3 mm, whatever the amplitudes
     units: dict[str, str] = field(default_factory=lambda: {
         "amplitude": "mm", "conicity": "1", "spread": "1", "lateral": "mm", "rolling_radius_difference": "mm",
         "angle_difference": "1"})
@@ -73,17 +76,26 @@ class Conicity:
         return plot.draw_conicity(self, path, ax)
 
     def __repr__(self) -> str:
-        spread = float(np.interp(STANDARD, self.amplitude, self.spread))
-        more = f" ± {spread:.4f}" if spread > 0.0 else ""
+        more = f" ± {self.standard_spread:.4f}" if self.standard_spread > 0.0 else ""
         return f"<wrcontact.Conicity {self.value:.4f}{more} at an amplitude of 3 mm>"
+
+
+def over_defaults(defaults: Mapping[str, Any], keys: Mapping[str, Any], own: str) -> dict[str, Any]:
+    """Keys of a caller over defaults. InvalidArgument for those that `own` sets itself, also of one side or an option."""
+    for word in keys:
+        key = re.sub(r"\.(left|right)\b", "", key_of(word).lower())
+        if not _OWN.isdisjoint((key, key.rpartition(".")[0])):
+            raise InvalidArgument(f"{word}: {own} sets {key_of(word)} itself")
+    named = set(map(key_of, keys))
+    return {**{word: value for word, value in defaults.items() if key_of(word) not in named}, **keys}
 
 
 def conicity_of(wheel: Profile, rail: Profile, amplitudes: Sequence[float] | Array | None,
                 keys: dict[str, Any]) -> Conicity:
     """Of a wheelset with this wheel on both sides on a track with this rail, without roll."""
     at = np.arange(0.5, 12.01, 0.25) if amplitudes is None else np.asarray(amplitudes, dtype=float).ravel()
-    values: dict[str, Any] = {"roll": "en15302", **keys, "wheel": wheel, "rail": rail, "until": "geometry"}
-    scene, solver = Scene(**values), Solver()
+    values = over_defaults({"roll": "en15302"}, keys, "the conicity")
+    scene, solver = Scene(**values, wheel=wheel, rail=rail, until="geometry"), Solver()
     count = round(2.0 * _REACH / _STEP) + 1
     lateral = _STEP * (np.arange(count) - 0.5 * (count - 1))
     difference, angle = np.full((2, count), np.nan)
@@ -95,9 +107,9 @@ def conicity_of(wheel: Profile, rail: Profile, amplitudes: Sequence[float] | Arr
                             + math.tan(result["right.rigid_contact.angle"]))
     found = [equivalent_conicity(lateral, difference, one) for one in at]
     known = lateral[~np.isnan(difference)]
-    spread = _spread_of(solver, scene, known, at) if known.size else np.zeros(at.size)
-    return Conicity(at, np.array([value for value, _ in found]), spread, lateral, difference, angle,
-                    tuple(reason for _, reason in found))
+    spread = _spread_of(solver, scene, known, np.append(at, STANDARD)) if known.size else np.zeros(at.size + 1)
+    return Conicity(at, np.array([value for value, _ in found]), spread[:-1], lateral, difference, angle,
+                    tuple(reason for _, reason in found), float(spread[-1]))
 
 
 def _solved(solver: Solver, scene: Scene, lateral: float) -> Any:

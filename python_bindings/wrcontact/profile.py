@@ -1,6 +1,7 @@
 """Profiles of wheels and rails."""
 from __future__ import annotations
 
+import hashlib
 import os
 import weakref
 from collections.abc import Sequence
@@ -71,6 +72,19 @@ def _read_options(options: dict[str, Any]) -> Any:
     return struct
 
 
+def files_of(*profiles: Profile) -> list[str]:
+    """What was read for them."""
+    return [os.fsdecode(name) for made, arguments, options in (profile._made for profile in profiles)
+            for name in (*(arguments if made == Profile.from_file else ()), options.get("align_to")) if name]
+
+
+def refuse_overwriting(path: str | os.PathLike[str], files: Sequence[str]) -> None:
+    """InvalidArgument if a file to be written is one of those that are read."""
+    for file in files:
+        if os.path.exists(path) and os.path.exists(file) and os.path.samefile(path, file):
+            raise InvalidArgument(f"path is {os.fspath(path)}, which is read as {file}; must be another file")
+
+
 def _made_by(function: Any, arguments: tuple[Any, ...], options: dict[str, Any]) -> Profile:
     made: Profile = function(*arguments, **options)
     return made
@@ -94,14 +108,14 @@ class Profile(Handle):
     """
 
     _kind = "profile"
+    _digest = "not known"  # SHA-256 of the file as it was read
 
     def __init__(self, name: str | os.PathLike[str], **options: Any) -> None:
         super().__init__()
         self._made: tuple[Any, ...] = (Profile, (os.fspath(name),), options)
         if options or lib.wrc_profile_load_standard(self._handle, encoded(name)) != 0:
             self._made = (Profile.from_file, (os.fspath(name),), options)
-            self._check(lib.wrc_profile_load_file(self._handle, encoded(name),
-                                                  _read_options(options)))
+            self._load(name, options)
 
     @classmethod
     def from_file(cls, path: str | os.PathLike[str], **options: Any) -> Profile:
@@ -109,8 +123,14 @@ class Profile(Handle):
         profile = cls.__new__(cls)
         Handle.__init__(profile)
         profile._made = (Profile.from_file, (os.fspath(path),), options)
-        profile._check(lib.wrc_profile_load_file(profile._handle, encoded(path), _read_options(options)))
+        profile._load(path, options)
         return profile
+
+    def _load(self, path: str | os.PathLike[str], options: dict[str, Any]) -> None:
+        self._check(lib.wrc_profile_load_file(self._handle, encoded(path), _read_options(options)))
+        if os.path.isfile(path):  # a pipe cannot be read again
+            with open(path, "rb") as file:
+                self._digest = hashlib.sha256(file.read()).hexdigest()
 
     @classmethod
     def from_points(cls, kind: str, lateral: ArrayLike, height: ArrayLike, *, name: str = "points",
@@ -198,12 +218,21 @@ class Profile(Handle):
 
         The flange back is at the `tape_offset` that the profile was read with, 70 mm if none was given.
         """
-        return dimensions_of(self, self._made[2].get("tape_offset") or _TAPE_OFFSET)
+        return self._dimensions_of(self)
 
-    def compare(self, other: Profile) -> Comparison:
-        """Normal distance to another profile, both in their own frame: `align` lays one on the other first."""
+    def _dimensions_of(self, profile: Profile) -> Dimensions:
+        """With the flange back of this one."""
+        return dimensions_of(profile, self._made[2].get("tape_offset") or _TAPE_OFFSET)
+
+    def compare(self, other: Profile | str) -> Comparison:
+        """Normal distance to another profile, or a name of one, both in their own frame: `align` lays one on the other first.
+
+        Dimensions of both are measured with the `tape_offset` of this one, as wrc_profile does.
+        """
+        other = other if isinstance(other, Profile) else Profile(other)
+
         def differences() -> Dimensions:
-            own, others = self.dimensions, other.dimensions
+            own, others = self.dimensions, self._dimensions_of(other)
             own.update({name: value - others[name] for name, value in own.items()})
             return own
 
@@ -243,7 +272,8 @@ class Profile(Handle):
         return _made_by(made, arguments, {**before, **options})
 
     def write(self, path: str | os.PathLike[str], spacing: float = 0.1) -> None:
-        """Writes two columns, or .prr/.prw, of points `spacing` mm apart. FileUnreadable."""
+        """Writes two columns, or .prr/.prw, of points `spacing` mm apart, to a file that it was not read from. FileUnreadable."""
+        refuse_overwriting(path, files_of(self))
         self._check(lib.wrc_profile_write(self._handle, encoded(path), spacing))
 
     def plot(self, path: str | os.PathLike[str] | None = None, *, ax: Any = None) -> Any:

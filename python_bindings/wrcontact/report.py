@@ -8,6 +8,7 @@ import hashlib
 import io
 import math
 import os
+import shutil
 import warnings
 from collections.abc import Mapping, Sequence
 from html import escape
@@ -18,11 +19,11 @@ import numpy as np
 
 from ._library import lib, string
 from ._warnings import GRADES
-from .conicity import STANDARD
+from .conicity import STANDARD, over_defaults
 from .errors import ContactWarning, Error, InvalidArgument
 from .plot import picture_style
-from .profile import Profile
-from .scene import Scene, key_of, solve
+from .profile import Profile, files_of, refuse_overwriting
+from .scene import Scene, solve
 
 if TYPE_CHECKING:
     from .result import Result
@@ -98,8 +99,7 @@ def _origin(profile: Profile) -> str:
     made, arguments, options = profile._made
     words = "".join(f", {name} = {value}" for name, value in options.items())
     if made == Profile.from_file:
-        digest = hashlib.sha256(Path(arguments[0]).read_bytes()).hexdigest()
-        return f"{profile.kind}: {Path(arguments[0]).name}{words}; SHA-256 {digest}"
+        return f"{profile.kind}: {Path(arguments[0]).name}{words}; SHA-256 {profile._digest}"
     if made == Profile:
         return f"{profile.kind}: {profile.name}, built in"
     digest = hashlib.sha256(np.concatenate(arguments[1:]).tobytes()).hexdigest()
@@ -111,29 +111,50 @@ def limits_of(limits: Limits, known: Sequence[str]) -> list[tuple[str, float | N
     if limits is None:
         return []
     if isinstance(limits, Mapping):
-        rows: list[Any] = [(name, *pair, "the caller") for name, pair in limits.items()]
+        name, given = "limits", [(quantity, pair, "the caller") for quantity, pair in limits.items()]
     else:
-        with open(limits, encoding="utf-8", newline="") as file:
-            table = csv.DictReader(file)
-            try:
-                rows = [(row["quantity"], *(float(row[side]) if row[side] else None for side in ("least", "greatest")),
-                         row["source"] or "") for row in table]
-            except (KeyError, TypeError, ValueError) as error:
-                raise InvalidArgument(f"{os.fspath(limits)}: must have the columns quantity, least, greatest, source, "
-                                      f"numbers or nothing in the second and third ({error})") from error
-    for name, *_ in rows:
-        if name not in known:
-            raise InvalidArgument(f"limits: {name!r} is no quantity of a report; must be one of {', '.join(known)}")
+        name, given = os.fspath(limits), _limits_in(limits)
+    rows = []
+    for quantity, pair, source in given:
+        if quantity not in known:
+            raise InvalidArgument(f"{name}: {quantity!r} is no quantity of a report; must be one of {', '.join(known)}")
+        try:
+            least, greatest = (None if one is None else float(one) for one in pair)
+            numbers = [one for one in (least, greatest) if one is not None]
+            if not numbers or not all(map(math.isfinite, numbers)) or numbers != sorted(numbers):
+                raise ValueError
+        except (TypeError, ValueError):
+            raise InvalidArgument(f"{name}: the limits of {quantity} are {pair!r}; must be two finite numbers, the least one "
+                                  "first, one of which may be missing (None, or nothing in a file)") from None
+        rows.append((quantity, least, greatest, source))
+    if not rows:
+        raise InvalidArgument(f"{name}: has no limits; must have one or more")
     return rows
 
 
+def _limits_in(path: str | os.PathLike[str]) -> list[tuple[str, tuple[str | None, str | None], str]]:
+    with open(path, encoding="utf-8-sig", newline="") as file:  # Excel begins with a mark
+        table = csv.DictReader(file)
+        try:
+            if len(set(table.fieldnames or ())) < len(table.fieldnames or ()):
+                raise ValueError("a column is given twice")
+            rows = list(table)
+            if any(None in row or None in row.values() for row in rows):
+                raise ValueError("a row has another number of entries than the first line")
+            return [(row["quantity"], (row["least"] or None, row["greatest"] or None), row["source"]) for row in rows]
+        except (KeyError, ValueError) as error:
+            raise InvalidArgument(f"{os.fspath(path)}: must have the columns quantity, least, greatest, source ({error})") from error
+
+
 def verdict(value: float, spread: float, least: float | None, greatest: float | None) -> str:
-    """pass, fail, or what is between: a limit within the spread, or no value."""
+    """pass, fail, or what is between: a limit within the spread, or no value or spread."""
     if math.isnan(value):
         return "not known"
     low, high = -math.inf if least is None else least, math.inf if greatest is None else greatest
     if not low <= value <= high:
         return "fail"
+    if math.isnan(spread):
+        return "pass, spread unknown"
     return "pass" if low <= value - spread and value + spread <= high else "pass, within its spread of the limit"
 
 
@@ -147,12 +168,12 @@ def report(wheel: Profile | str, rail: Profile | str, path: str | os.PathLike[st
     dict such as {"flange_height": (27, 36), "pmax": (None, 2500)}, or a file with the columns quantity, least, greatest,
     source. keys: of all scenes. Returns the path.
     """
-    values: dict[str, Any] = {"accuracy": 1e-2, **keys}
-    for word in keys:
-        if key_of(word) in ("wheelset.wheel", "track.rail", "pose.lateral", "solve.side", "convention.units", "convention.frame"):
-            raise InvalidArgument(f"{word}: the report sets {key_of(word)} itself")
+    values = over_defaults({"accuracy": 1e-2}, keys, "the report")
     pair = [one if isinstance(one, Profile) else Profile(one) for one in (wheel, rail)]
     nominal = [Profile(one) if isinstance(one, str) else one for one in (nominal_wheel, nominal_rail)]
+    refuse_overwriting(path, files_of(*pair, *(one for one in nominal if one is not None))
+                       + ([] if limits is None or isinstance(limits, Mapping) else [os.fspath(limits)]))
+    rows = limits_of(limits, [*(name for one in pair for name in one.dimensions), *_OF_PAIRS])
     conicity = pair[0].conicity(pair[1], **values)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ContactWarning)  # they are in the page
@@ -160,7 +181,7 @@ def report(wheel: Profile | str, rail: Profile | str, path: str | os.PathLike[st
         lateral = np.arange(-_REACH, _REACH + 0.5 * _STEP, _STEP)
         positions: dict[str, Any] = {str(name): array for name, array in solve(
             lateral=lateral, wheel=pair[0], rail=pair[1], outputs=[f"left.{name}" for name in (
-                "pmax", "area", "rigid_contact.angle", "rigid_contact.rolling_radius", "rigid_contact.s_wheel",
+                "pmax", "area", "angle", "rigid_contact.rolling_radius", "rigid_contact.s_wheel",
                 "rigid_contact.t_rail")], **values).items()}
     facts = _facts(pair, conicity, centre, np.asarray(positions["left.pmax"]))
     page = _Page(" on ".join(Path(one.name).name for one in pair))
@@ -169,7 +190,6 @@ def report(wheel: Profile | str, rail: Profile | str, path: str | os.PathLike[st
                   f"wrcontact.report in Python{': ' + shown if shown else ''}. mm, N, MPa, rad.")
     page.listed([_origin(one) for one in pair])
     _add_brief(page, facts, conicity, lateral, np.asarray(positions["left.pmax"]))
-    rows = limits_of(limits, list(facts))
     if rows:
         page.add("h2", "Limits")
         decimals = {"mm": 2, "MPa": 0, "1": 4}
@@ -191,9 +211,22 @@ def report(wheel: Profile | str, rail: Profile | str, path: str | os.PathLike[st
         if amplitude % 1 == 0 and (not reason or amplitude == STANDARD))])
     for profile, other in zip(pair, nominal):
         _add_profile(page, profile, other)
-    target = Path(path)
-    target.write_text("".join(page.parts) + "</html>\n", encoding="utf-8")
-    return target
+    _write_whole(os.path.realpath(path), "".join(page.parts) + "</html>\n")
+    return Path(path)
+
+
+def _write_whole(path: str, text: str) -> None:
+    """Aside first, so that the file is whole or as it was; a device or pipe has no aside."""
+    aside = path if os.path.exists(path) and not os.path.isfile(path) else f"{path}.{os.getpid()}.part"
+    try:
+        Path(aside).write_text(text, encoding="utf-8")
+        if aside != path:
+            if os.path.exists(path):
+                shutil.copymode(path, aside)
+            os.replace(aside, path)
+    finally:
+        if aside != path:
+            Path(aside).unlink(missing_ok=True)
 
 
 def _solved(**values: Any) -> Result | str:
@@ -211,13 +244,11 @@ def _facts(pair: Sequence[Profile], conicity: Any, centre: Result | str, pmax: A
         dimensions = profile.dimensions
         for name, value in dimensions.items():
             facts[name] = (value, 0.0, dimensions.units[name], dimensions.long_name[name])
-    spread = float(np.interp(STANDARD, conicity.amplitude, conicity.spread))
-    numbers = {"equivalent_conicity": (conicity.value, spread), "pmax_centred": (math.nan, 0.0),
+    numbers = {"equivalent_conicity": (conicity.value, conicity.standard_spread), "pmax_centred": (math.nan, 0.0),
                "pmax": (float(np.nanmax(pmax)) if np.isfinite(pmax).any() else math.nan, 0.0)}
     if not isinstance(centre, str):
         numbers["pmax_centred"] = (centre.left.pmax, centre["left.spread.pmax"])
-    facts.update({name: (value, 0.0 if math.isnan(range_) else range_, *_OF_PAIRS[name])
-                  for name, (value, range_) in numbers.items()})
+    facts.update({name: (*found, *_OF_PAIRS[name]) for name, found in numbers.items()})
     return facts
 
 
@@ -278,6 +309,21 @@ def _add_smoothing(page: _Page, centre: Result) -> None:
     axes.legend()
     page.picture(figure, "largest pressure over the smoothing wavelength")
     page.table(rows)
+    page.listed(_spread_warnings(centre))
+
+
+def _spread_warnings(centre: Result) -> list[str]:
+    """As drivers/reports/smoothing.cpp."""
+    lines = []
+    for side in ("left", "right"):
+        shares = {name: centre[f"{side}.spread.{name}"] / (centre[f"{side}.{name}"] or math.nan) for name in ("pmax", "area")}
+        if math.isnan(shares["area"]):
+            lines.append(f"Note: {side}: how far noise moves pmax and area is not known: the points of a profile are too far apart")
+        if any(share > centre.scene["solve.accuracy"] for share in shares.values()):
+            text = ", ".join(f"{name} by {1e2 * share:.1f} %" for name, share in shares.items() if not math.isnan(share))
+            lead = ("Note", "A little over", "Do not use")[centre[f"{side}.spread.grade"]]
+            lines.append(f"{lead}: {side}: uncertain by noise or short waves of the profiles: {text}")
+    return lines
 
 
 def _add_positions(page: _Page, lateral: Any, positions: Mapping[str, Any]) -> None:
@@ -285,7 +331,7 @@ def _add_positions(page: _Page, lateral: Any, positions: Mapping[str, Any]) -> N
     from matplotlib.figure import Figure
 
     page.add("h2", "Left wheel over the lateral position")
-    columns = (("pmax", "pmax, MPa", 0), ("area", "area, mm²", 1), ("rigid_contact.angle", "contact angle, rad", 4),
+    columns = (("pmax", "pmax, MPa", 0), ("area", "area, mm²", 1), ("angle", "contact angle, rad", 4),
                ("rigid_contact.rolling_radius", "rolling radius, mm", 3), ("rigid_contact.s_wheel", "s on the wheel, mm", 2),
                ("rigid_contact.t_rail", "t on the rail, mm", 2))
     arrays = [np.asarray(positions[f"left.{name}"]) for name, _, _ in columns]
@@ -310,7 +356,7 @@ def _add_profile(page: _Page, profile: Profile, nominal: Profile | None) -> None
     head: tuple[Any, ...] = ("dimension", "value", "unit")
     rows: list[tuple[Any, ...]] = [(own.long_name[name], (value, 3), own.units[name].replace("1", "")) for name, value in own.items()]
     if nominal is not None:
-        others = nominal.dimensions
+        others = profile._dimensions_of(nominal)
         head = ("dimension", "value", f"nominal: {nominal.name}", "difference", "unit")
         rows = [(label, value, (others[name], 3), (own[name] - others[name], 3), unit)
                 for name, (label, value, unit) in zip(own, rows)]

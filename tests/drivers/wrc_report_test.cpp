@@ -45,8 +45,9 @@ TEST_F(WrcReport, SaysWhenHowAndOfWhichFilesItIs) {
 
 TEST_F(WrcReport, ChecksTheLimitsOfTheUser) {
   NEEDS_GNUPLOT();
-  write("limits.csv", "quantity,least,greatest,source\nflange_height,27,36,here\n"
-                      "qr,20,,\"there, or not\"\nequivalent_conicity,,0.08,x\nhead_width_14,,,x\n");
+  write("limits.csv",
+        "quantity,least,greatest,source\nflange_height,27,36,here\n"
+        "qr,20,,\"there, or not\"\nequivalent_conicity,,0.08,x\nhead_width_14,,99,x\n");
   const std::string page = page_of("--limits limits.csv");
   expect_part(page, "flange height: tip above the taping line</td><td>pass</td>"
                     "<td class=\"number\">27.72</td><td class=\"number\">27.00</td>");
@@ -61,7 +62,27 @@ TEST_F(WrcReport, ChecksTheLimitsOfTheUser) {
   run("S1002 60E1 --limits limits.csv").expect_refusal({"limits.csv: a limit is much"});
   write("limits.csv", "quantity,most\npmax,3\n");
   run("S1002 60E1 --limits limits.csv").expect_refusal({"limits.csv has no column least"});
+  const std::string head = "quantity,least,greatest,source\n";
+  for (const auto& [text, trouble] :
+       {std::pair(head + "qr,nan,,x\n", "a limit is nan; must be a finite number"),
+        {head + "qr,20,5,x\n", "the limits of qr are '20' and '5'"},
+        {head + "qr,,,\n", "the limits of qr are '' and ''"},
+        {head, "has no limits"},
+        {"quantity,least,least,greatest,source\nqr,1,2,3,x\n", "has the column least twice"},
+        {"\xEF\xBB\xBFquantity,least,greatest,source\r\nqr,5,1,x\r\n", "the limits of qr"}}) {
+    write("limits.csv", text);
+    run("S1002 60E1 --limits limits.csv").expect_refusal({"limits.csv", trouble});
+  }
   run("S1002 60E1 --limits limits.csv --page limits.csv").expect_refusal({"limits.csv"});
+}
+
+TEST_F(WrcReport, SaysThatASpreadIsUnknown) {
+  NEEDS_GNUPLOT();
+  ASSERT_EQ(run(WRC_PROFILE_PROGRAM, "S1002 --convert sparse.txt --spacing 6").exit_code, 0);
+  write("limits.csv", "quantity,least,greatest,source\npmax_centred,,9000,x\n");
+  ASSERT_EQ(run("sparse.txt 60E1 --quiet --set solve.accuracy=0.1 --limits limits.csv").exit_code,
+            0);
+  expect_part(read("report.html"), "<td>pass, spread unknown</td>");
 }
 
 TEST_F(WrcReport, HasNominalDimensionsBesideThoseOfAWornWheel) {
@@ -78,6 +99,7 @@ TEST_F(WrcReport, HasNominalDimensionsBesideThoseOfAWornWheel) {
   expect_part(page, row);
   expect_part(page, "Nominal: S1002, at most ");
   expect_part(page, "largest pressure over the smoothing wavelength");
+  run("S1002 60E1 --set solve.until=geometry").expect_refusal({"the report sets solve.until"});
   run("S1002 60E1 --nominal-rail LM").expect_refusal({"LM"});
 }
 

@@ -9,6 +9,7 @@ import pytest
 import wrcontact
 from conftest import BUILD, PROJECT
 from wrcontact.conicity import equivalent_conicity
+from wrcontact.report import _add_profile, _Page
 
 MEASURED = PROJECT / "tests/reference/profiles/Car7216_0001r.txt"
 
@@ -47,7 +48,17 @@ def test_a_comparison_is_that_of_wrc_profile():
     for name, value in expected["differences"].items():
         assert np.isclose(found.differences[name], value, atol=1e-9)
     with pytest.raises(wrcontact.InvalidArgument, match="must be a rail"):
-        wrcontact.Profile("60E1").compare(wrcontact.Profile("S1002"))
+        wrcontact.Profile("60E1").compare("S1002")
+
+
+def test_both_wheels_of_a_comparison_have_the_tape_offset_of_the_compared_one():
+    expected = told(MEASURED, "--kind", "wheel", "--tape-offset", "72", "--compare", "S1002")["comparison"]["differences"]
+    wheel = wrcontact.Profile(MEASURED, kind="wheel", tape_offset=72)
+    assert np.isclose(wheel.compare("S1002").differences["flange_thickness"], expected["flange_thickness"], atol=1e-9)
+    page = _Page("")
+    _add_profile(page, wheel, wrcontact.Profile("S1002"))
+    row = next(part for part in "".join(page.parts).split("<tr>") if "flange thickness" in part)
+    assert f">{expected['flange_thickness']:.3f}<" in row
 
 
 def conicities_of(wheel, rail, folder):
@@ -77,6 +88,9 @@ def test_conicity_is_that_of_the_shipped_study(wheel, tmp_path):
             assert np.isclose(value, float(row[column] or "nan"), rtol=1e-6, atol=1e-9, equal_nan=True), row
         assert reason == row["message"]
     assert found.value == found.at(3.0) and f"{found.value:.4f}" in repr(found)
+    for amplitudes in ([6.0, 2.0], []):
+        other = wrcontact.Profile(wheel).conicity("60E1", amplitudes)
+        assert repr(other) == repr(found) and other.standard_spread == found.spread[found.amplitude == 3.0]
     with pytest.raises(wrcontact.InvalidArgument, match="must be a wheel, and a rail"):
         wrcontact.Profile("60E1").conicity("60E1")
 
