@@ -100,6 +100,12 @@ private:
 constexpr const char* warning_count_name = "warning_count";
 constexpr const char* grade_name = "grade";
 
+/// A number of a key: with these digits if they are exact, otherwise the shortest text that is.
+std::string key_text(double number, int digits) {
+  std::string text = table_text(number, digits);
+  return std::strtod(text.c_str(), nullptr) == number ? text : text_of(number);
+}
+
 /// Whether a study asks for a result by itself, which is then listed among the others.
 bool is_result(const Study& study, const char* name) {
   return std::find(study.results.begin(), study.results.end(), name) != study.results.end();
@@ -339,7 +345,7 @@ void write_csv(const Study& study, Journal& journal, const std::filesystem::path
     for (std::size_t i = 0; i < places.size(); ++i) {
       const Value& value = study.axes[i].values[places[i]];
       const double* const number = std::get_if<double>(&value);
-      line << (number == nullptr ? text_of(value) : table_text(*number, study.digits));
+      line << (number == nullptr ? text_of(value) : key_text(*number, study.digits));
     }
     for (const double value : row.values) {
       line << table_text(value, study.digits);

@@ -51,6 +51,14 @@ if [[ $first != "<output>0 mm id=\"left.pmax\">$(pmax 0)" ]] ||
   echo "with its slider moved: $moved"
   exit 1
 fi
+# Values that differ in the seventh digit have names of their own, which an address finds.
+printf '[load]\nboth = [100000, 100000.1, 100000.4]\n[solve]\naccuracy = 0.1\n[study]\ntitle = "at {load.both}"\n' >"$folder/close.toml"
+"$sweep" "$folder/close.toml" --out "$folder/close" --page "$folder/close.html" --quiet
+"$chromium" "${options[@]}" --dump-dom "file://$folder/close.html#load.both=100000.4%20N" 2>"$folder/log" >"$folder/dom"
+if ! grep -qF '<output>100000.4 N</output>' "$folder/dom" || ! grep -qF '<h1 id="title">at 100000.4</h1>' "$folder/dom"; then
+  echo "a page of close values shows: $(grep -oE '<h1.*</h1>|<output>[^<]*' "$folder/dom" | paste -sd ' ')"
+  exit 1
+fi
 # Names that begin and end elements and scripts: shown as they are, and nothing of them runs. There are no such
 # wheels, so no scene has results, and wrc_sweep ends with 3.
 cat >"$folder/names.toml" <<'END'

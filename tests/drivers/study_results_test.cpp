@@ -86,6 +86,15 @@ TEST_F(StudyResults, TitlesShowValuesOfDefaultKeys) {
   EXPECT_NE(read("p.html").find("S1002 on 60E1, gauge 1435, p_{max}"), std::string::npos);
 }
 
+/// Results have the digits that are asked for, keys as many as they need.
+TEST_F(StudyResults, KeysAreExactInTables) {
+  write("s.toml", "[load]\nboth = [100000, 100000.1]\n[solve]\nuntil = \"geometry\"\n[study]\n"
+                  "results = [\"left.rigid_contact.y\"]\n");
+  solve("s.toml --digits 4", "o");
+  EXPECT_EQ(entry("o/s.csv", 2, "load.both"), "100000.1");
+  EXPECT_LE(entry("o/s.csv", 2, "left.rigid_contact.y").size(), 6);
+}
+
 TEST_F(StudyResults, APageWithoutAnyResultIsAFailure) {
   write("s.toml", "[pose]\nlateral = [99, 100]\n");
   const Outcome none = run("s.toml --page p.html");
