@@ -229,14 +229,14 @@ class Profile(Handle):
 
         Dimensions of both are measured with the `tape_offset` of this one, as wrc_profile does.
         """
-        other = other if isinstance(other, Profile) else Profile(other)
+        beside = other if isinstance(other, Profile) else Profile(other)
 
         def differences() -> Dimensions:
-            own, others = self.dimensions, self._dimensions_of(other)
+            own, others = self.dimensions, self._dimensions_of(beside)
             own.update({name: value - others[name] for name, value in own.items()})
             return own
 
-        return comparison_of(self, other, differences)
+        return comparison_of(self, beside, differences)
 
     def conicity(self, rail: Profile | str, amplitudes: Sequence[float] | Array | None = None,
                  **keys: Any) -> Conicity:

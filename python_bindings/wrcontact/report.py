@@ -111,7 +111,8 @@ def limits_of(limits: Limits, known: Sequence[str]) -> list[tuple[str, float | N
     if limits is None:
         return []
     if isinstance(limits, Mapping):
-        name, given = "limits", [(quantity, pair, "the caller") for quantity, pair in limits.items()]
+        name = "limits"
+        given: list[tuple[str, Any, str]] = [(quantity, pair, "the caller") for quantity, pair in limits.items()]
     else:
         name, given = os.fspath(limits), _limits_in(limits)
     rows = []
@@ -132,7 +133,7 @@ def limits_of(limits: Limits, known: Sequence[str]) -> list[tuple[str, float | N
     return rows
 
 
-def _limits_in(path: str | os.PathLike[str]) -> list[tuple[str, tuple[str | None, str | None], str]]:
+def _limits_in(path: str | os.PathLike[str]) -> list[tuple[str, Any, str]]:
     with open(path, encoding="utf-8-sig", newline="") as file:  # Excel begins with a mark
         table = csv.DictReader(file)
         try:
