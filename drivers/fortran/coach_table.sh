@@ -17,8 +17,9 @@ table=
 run() {
   "$coach" "${line[@]}" --creep "$2" --accuracy "$3" --method "$4" --keep "${5:-20}" ${table:+--table "$table"} >"$1"
 }
-# value FILE NAME: what follows the name.
-value() { awk -v name="$2" 'index($0, name) == 1 { print substr($0, length(name) + 1) }' "$1"; }
+
+# value FILE NAME: what follows the name, where it first is.
+value() { awk -v name="$2" 'index($0, name) == 1 { print substr($0, length(name) + 1); exit }' "$1"; }
 
 # name_of METHOD
 name_of() {

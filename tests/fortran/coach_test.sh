@@ -13,6 +13,7 @@ value() {
   awk -v name="$2" -v column="${3:-0}" 'index($0, name) == 1 {
     n = split(substr($0, length(name) + 1), words)
     print words[column ? column : n]
+    exit
   }' "$1"
 }
 expect() {
