@@ -55,7 +55,8 @@ td.number { white-space: nowrap; }
 .fail { color: #c00000; font-weight: bold; }
 @media (prefers-color-scheme: dark) { .fail { color: #ff8080; } }
 @media print { @page { size: A4; margin: 15mm; } body { max-width: none; margin: 0; padding: 0; font-size: 10pt; }
-  table { display: table; width: 100%; } td, th { padding: .15em .3em; } img, tr { break-inside: avoid; } h2 { break-after: avoid; } }
+  table { display: table; width: 100%; } td, th { padding: .15em .3em; } img, tr { break-inside: avoid; }
+  img { max-height: 230mm; width: auto; } h2 { break-after: avoid; } }
 </style>
 """
 
