@@ -238,7 +238,7 @@ void complete_wheel(const Scene& scene, const WheelLoads& loads, RollingSolver& 
     warn_of_pitch(scene, result, wheel);
   }
   if (scene.kalker) {
-    find_patch_coefficients(wheel, shear_constants_of(scene, side).poisson, solver);
+    find_patch_coefficients(wheel, creep_options_of(scene, side), solver);
   }
   const bool rolls = creep.model != CreepModel::none || scene.kalker;
   result.time.rolling += rolls ? watch.milliseconds() : 0.0;
