@@ -22,7 +22,7 @@ from ._report_head import HEAD
 from ._warnings import GRADES
 from .conicity import STANDARD, over_defaults
 from .errors import ContactWarning, Error, InvalidArgument
-from .plot import picture_style
+from .plot import NOTE, picture_style
 from .profile import Profile, files_of, refuse_overwriting
 from .scene import Scene, solve
 
@@ -343,7 +343,7 @@ def _add_profile(page: _Page, profile: Profile, nominal: Profile | None) -> None
     figure = profile.plot()
     if nominal is not None:
         curve = nominal.at(np.arange(0.0, nominal.length, 0.1))
-        figure.axes[0].plot(curve.lateral, curve.height, "--", color="#666666", linewidth=1, label=f"nominal: {nominal.name}")
+        figure.axes[0].plot(curve.lateral, curve.height, "--", color=NOTE, linewidth=1, label=f"nominal: {nominal.name}")
         figure.axes[0].legend()
         found = profile.compare(nominal)
         page.add("p", f"The nominal profile is at most {found.largest:.3f} mm away, at lateral {found.largest_at[0]:.1f} mm; "
