@@ -177,6 +177,16 @@ const char* wrc_scene_number_name(const wrc_scene* scene, int64_t index) {
   });
 }
 
+const char* wrc_result_name(int64_t index) {
+  try {
+    static const std::vector<std::string> names = wrc::possible_number_names();
+    return text_at(names, index,
+                   [](const std::string& name) -> const std::string& { return name; });
+  } catch (...) { // no memory for the table
+    return nullptr;
+  }
+}
+
 const char* wrc_scene_warning(const wrc_scene* scene, int64_t index) {
   return wrc::look_at<const char*>(scene, nullptr, [index](wrc::SceneObject& object) {
     if (!object.warnings && object.result) {

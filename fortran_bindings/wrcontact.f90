@@ -26,7 +26,7 @@ module wrcontact
   private
 
   public :: solve_batch, step_batch, library_version, status_name, scene_key_count, scene_key
-  public :: standard_profile_name, load_wisdom, save_wisdom, set_planner_lock, table_output_name
+  public :: standard_profile_name, result_name, load_wisdom, save_wisdom, set_planner_lock, table_output_name
 
   !> Values of `stat`; those of wrc_status in wrcontact.h.
   integer, parameter, public :: wrc_ok = 0

@@ -207,6 +207,12 @@ WRC_API wrc_status wrc_scene_field(wrc_scene* scene, const char* name, double* v
 /** Names of all available results, in a fixed order. Since 0.1. */
 WRC_API int64_t wrc_scene_number_count(const wrc_scene* scene);
 WRC_API const char* wrc_scene_number_name(const wrc_scene* scene, int64_t index);
+/**
+ * Names of all numbers that a result may have, entries of lists as entry 0
+ * ("left.patches.0.parts.0.pmax"); NULL past the end. The texts belong to the library and remain
+ * valid. Since 0.4.
+ */
+WRC_API const char* wrc_result_name(int64_t index);
 WRC_API int64_t wrc_scene_text_count(const wrc_scene* scene);
 WRC_API const char* wrc_scene_text_name(const wrc_scene* scene, int64_t index);
 

@@ -113,6 +113,10 @@ void add_unused(std::vector<Row>& rows) {
       {"solve.results"}, {},
       [](const Scene& s) { return wants_wear(s) && !s.has_creepages() && !s.motion; },
       ": no wear or fatigue without creep forces, which keys of creepage.* or motion.* request");
+  add(
+      {"solve.results"}, {},
+      [](const Scene& s) { return s.kalker && s.until != Module::mechanics; },
+      ": no Kalker coefficients without pressures, which solve.until = \"mechanics\" computes");
 }
 
 void add_implausible(std::vector<Row>& rows) {

@@ -11,7 +11,9 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 PROFILES = HERE.parent.parent / "profiles"
 WIDTH, HEIGHT = 1060, 1010
-STEEL, RAIL, AXIS, SIGN, TEXT, FAINT = "#3b6ea5", "#8a5a2b", "#222222", "#b3261e", "#222222", "#999999"
+# As in drivers/support/gnuplot.hpp.
+WHEEL, RAIL, SIGN, FAINT, WHEEL_BODY, RAIL_BODY = "#1f4e9e", "#8b5a2b", "#c00000", "#909090", "#e9eff8", "#f3ebe3"
+AXIS = TEXT = "#222222"
 CANT = math.atan(1 / 40)
 
 parts = []
@@ -102,9 +104,9 @@ def seen_from_behind():
                (x + 14, top + 40)], RAIL)
         inner, outer = x - outward * 22, x + outward * 24
         curve([(inner, top + 14), (inner, axle - 85), (outer, axle - 80), (outer, top - 2),
-               (x - outward * 12, top), (x - outward * 16, top + 14), (inner, top + 14)], STEEL, "#e8eff7")
+               (x - outward * 12, top), (x - outward * 16, top + 14), (inner, top + 14)], WHEEL, WHEEL_BODY)
     curve([(left + 22, axle - 6), (right - 22, axle - 6), (right - 22, axle + 6), (left + 22, axle + 6),
-           (left + 22, axle - 6)], STEEL, "#e8eff7")
+           (left + 22, axle - 6)], WHEEL, WHEEL_BODY)
     origin, centre = (middle, top), (middle - 20, axle)
     line((middle, top + 8), (middle, top - 195), AXIS, 1.5, True)
     label((middle + 8, top - 185), "z up", anchor="start")
@@ -115,7 +117,7 @@ def seen_from_behind():
     line((origin[0] - 5, origin[1] + 5), (origin[0] + 5, origin[1] - 5))
     label((middle + 12, top + 18), "x forward,", anchor="start", size=14)
     label((middle + 12, top + 35), "into the page", anchor="start", size=14)
-    dot(centre, STEEL)
+    dot(centre, WHEEL)
     line((middle, axle + 24), (middle - 20, axle + 24), SIGN, 2, True)
     label((middle + 8, axle + 29), "pose.lateral &gt; 0", SIGN, "start", 14)
     turn(centre, 40, 160, 100)
@@ -137,10 +139,10 @@ def seen_from_above():
     angle = math.radians(9)
     along = (math.cos(angle), -math.sin(angle))
     a, b = ((cx + d * along[0], cy + d * along[1]) for d in (-150, 150))
-    line(a, b, STEEL, 5)
+    line(a, b, WHEEL, 5)
     for d in (-120, 120):
         x, y = cx + d * along[0], cy + d * along[1]
-        tag(f'<rect x="{x - 9:.1f}" y="{y - 36:.1f}" width="18" height="72" fill="#e8eff7" stroke="{STEEL}" '
+        tag(f'<rect x="{x - 9:.1f}" y="{y - 36:.1f}" width="18" height="72" fill="{WHEEL_BODY}" stroke="{WHEEL}" '
             f'stroke-width="2" transform="rotate({-math.degrees(angle):.1f} {x:.1f} {y:.1f})"/>')
     turn((cx, cy), 70, 60, 100)
     label((cx + 20, cy - 78), "yaw &gt; 0", SIGN, "start", 14)
@@ -158,11 +160,11 @@ def profile_frames():
         return (270 - scale * (y - y0), z0 - scale * z)
     taping = 1360 / 2 + 70
     wheel = [at(taping + s, -w) for s, w in outline("S1002")]
-    curve([*wheel, (wheel[-1][0], at(0, 75)[1]), (wheel[0][0], at(0, 75)[1]), wheel[0]], STEEL, "#e8eff7")
-    curve([at(y, z) for y, z in rail], RAIL, "#f6efe6")
+    curve([*wheel, (wheel[-1][0], at(0, 75)[1]), (wheel[0][0], at(0, 75)[1]), wheel[0]], WHEEL, WHEEL_BODY)
+    curve([at(y, z) for y, z in rail], RAIL, RAIL_BODY)
     tape = at(taping, 0)
-    line((tape[0], tape[1] - 190), (tape[0], tape[1] + 25), STEEL, 1, dash="6 4")
-    label((tape[0] - 6, tape[1] - 196), "taping line, s = 0, w = 0", STEEL, "middle", 14)
+    line((tape[0], tape[1] - 190), (tape[0], tape[1] + 25), WHEEL, 1, dash="6 4")
+    label((tape[0] - 6, tape[1] - 196), "taping line, s = 0, w = 0", WHEEL, "middle", 14)
     line((tape[0], tape[1] - 100), (tape[0] - 80, tape[1] - 100), AXIS, 1.5, True)
     label((tape[0] - 84, tape[1] - 108), "s, to the field side", anchor="middle", size=14)
     line((tape[0], tape[1] - 100), (tape[0], tape[1] - 45), AXIS, 1.5, True)
@@ -192,9 +194,9 @@ def contact_plane():
     def at(s, n):
         return (base[0] + s * along[0] + n * normal[0], base[1] + s * along[1] + n * normal[1])
     curve([at(s, -0.0016 * s * s) for s in range(-110, 150, 5)], RAIL)
-    curve([at(s, 0.0022 * s * s - 9) for s in range(-110, 90, 5)], STEEL)
+    curve([at(s, 0.0022 * s * s - 9) for s in range(-110, 90, 5)], WHEEL)
     label(at(140, -52), "rail", RAIL)
-    label(at(-100, 34), "wheel", STEEL)
+    label(at(-100, 34), "wheel", WHEEL)
     line(at(-190, 0), at(205, 0), FAINT, 1, dash="5 4")
     line(at(0, 0), at(110, 0), AXIS, 2, True)
     label((at(110, 0)[0] + 4, at(110, 0)[1] - 36), "lateral,", size=14)
@@ -226,14 +228,14 @@ def depth_and_approach():
     curve([at(s, -0.0012 * s * s) for s in range(-130, 150, 5)], RAIL)
     curve([at(s, 0.0022 * s * s) for s in range(-110, 130, 5)], FAINT)
     down = 40
-    curve([at(s, 0.0022 * s * s, down) for s in range(-110, 130, 5)], STEEL)
+    curve([at(s, 0.0022 * s * s, down) for s in range(-110, 130, 5)], WHEEL)
     line(at(0, 0), at(0, 0, down), SIGN, 2, True)
     label((base[0] + 122, base[1] + 30), "depth: vertical approach,", SIGN, "start", 14)
     label((base[0] + 122, base[1] + 47), "from the first touch", SIGN, "start", 14)
     approach = down * math.cos(angle)
     line((560, 900), (590, 900), FAINT, 2)
     label((600, 905), "wheel at the first touch", anchor="start", size=14)
-    line((560, 925), (590, 925), STEEL, 2)
+    line((560, 925), (590, 925), WHEEL, 2)
     label((600, 930), "undeformed wheel at the depth: it has also slid along the", anchor="start", size=14)
     label((600, 948), "tangent, so distances are sampled here", anchor="start", size=14)
     line((560, 968), (590, 968), RAIL, 2)

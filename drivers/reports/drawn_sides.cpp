@@ -148,9 +148,11 @@ void write_tractions(Gnuplot& gnuplot, const Scene& scene, DrawnPatch& patch) {
       const auto fine_z = map.linear(z);
       const auto fine_pressure = map.pressure(pressure);
       const auto fine_slips = map.linear(slips);
+      const std::string slip = components_of(colour::slip);
+      const std::string adhesion = components_of(colour::adhesion);
       for (std::size_t i = 0; i < fine_x.size(); ++i) {
         areas << patch.in_plane(fine_y[i], fine_z[i]) << ' ' << fine_x[i] << ' '
-              << (fine_slips[i] >= 0.5 ? slip_colour : adhesion_colour)
+              << (fine_slips[i] >= 0.5 ? slip : adhesion)
               << (fine_pressure[i] > 0.0 ? " 255\n" : " 0\n");
       }
       patch.areas.push_back(gnuplot.block(areas.str()));

@@ -59,10 +59,6 @@ struct DrawnSide {
   Range along;
 };
 
-/// Red, green and blue of areas of adhesion and slip.
-inline constexpr const char* adhesion_colour = "207 226 243";
-inline constexpr const char* slip_colour = "246 199 182";
-
 /// The blocks of data are added to the script. Without pressures there are no patches.
 DrawnSide write_side(Gnuplot& gnuplot, const Scene& scene, const std::string& name,
                      bool has_pressures);

@@ -54,7 +54,7 @@ void add_points(Gnuplot& gnuplot, const Profile& profile, std::vector<std::strin
                        std::to_string(points.lateral.size()) + ' ' + title + "'");
     }
   };
-  add(WRC_POINTS_READ, "pt 7 ps 0.6 lc rgb '#aaaaaa'", "points read");
+  add(WRC_POINTS_READ, std::string("pt 7 ps 0.6 lc rgb '") + colour::quiet + '\'', "points read");
   add(WRC_POINTS_DROPPED, std::string("pt 2 ps 1.2 lw 2 lc rgb '") + colour::marked + '\'',
       "points cut or removed");
 }
@@ -163,8 +163,8 @@ void draw_profile(const Profile& profile, const Measures& measures, const Profil
   gnuplot.plot(shapes);
   out << "set title\nset tmargin at screen " << (bottom_margin + curvature_height) / total_height
       << "\nset bmargin at screen " << bottom_margin / total_height
-      << "\nset xlabel 'lateral, mm (positive to the field side)'\nset xzeroaxis lc rgb '"
-      << colour::quiet << "'\n";
+      << "\nset xlabel 'lateral, mm (to the field side)'\nset xzeroaxis lc rgb '" << colour::quiet
+      << "'\n";
   if (other != nullptr) {
     out << "set ylabel " << gnuplot_text("normal distance to " + other->text("name") + ", mm")
         << "\nset yrange [*:*]\n";

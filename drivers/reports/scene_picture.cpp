@@ -63,7 +63,7 @@ struct WarningNote {
       labels += "set label " + std::to_string(first_label + from_below) + ' ' +
                 gnuplot_text(shortened(one_line(warning), letters * columns)) +
                 " at screen 0.006,character " + general(0.8 + line_height * from_below) +
-                " left tc rgb '" + (loud ? "#b00000" : "#606060") + "' front\n";
+                " left tc rgb '" + (loud ? colour::marked : colour::note) + "' front\n";
     }
   }
   /// Before the first plot of the last row.
@@ -112,18 +112,21 @@ struct OutlineFrame {
   double scale = 1.0; ///< of lengths to those of a frame without distant patches
 };
 
-/// Profiles, the planes of the patches and the forces on the wheel, from their centroids.
-void plot_outlines(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side) {
+/// Profiles, the planes of the patches and the forces on the wheel, from their centroids. `first`:
+/// the legend names the lines, too. It is on the field side: forces lean to
+/// the other one.
+void plot_outlines(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side, bool first) {
   const double y = scene.number(side.name + ".rigid_contact.y");
   const double z = scene.number(side.name + ".rigid_contact.z");
   const OutlineFrame frame(y, z, side);
   const double half_plane = 9.0 * frame.scale;     // mm, drawn
-  const double longest_arrow = 20.0 * frame.scale; // mm, of the largest force of this wheel
+  const double longest_arrow = 14.0 * frame.scale; // mm, of the largest force of this wheel
   const double shortest_arrow = 3.0 * frame.scale;
   std::ostream& out = gnuplot.script();
   out << "set title '" << side.name << " wheel, seen in driving direction'\n"
       << "set xlabel 'track y, mm (to the left)'\nset ylabel 'track z, mm'\n"
-      << "set size ratio -1\nset key top left Left reverse samplen 2 opaque width -2\n"
+      << "set size ratio -1\nset key top " << (side.name == "left" ? "left" : "right")
+      << " Left reverse samplen 2 opaque width -2\n"
       << "set xrange [" << frame.y.greatest << ':' << frame.y.least << "]\nset yrange ["
       << frame.z.least << ':' << frame.z.greatest << "]\n";
   double largest = 0.0;
@@ -141,13 +144,16 @@ void plot_outlines(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side) 
   std::sort(by_force.begin(), by_force.end(), [](const DrawnPatch& one, const DrawnPatch& other) {
     return one.name.index < other.name.index;
   });
+  const auto title = [first](const char* text) {
+    return " title '" + std::string(first ? text : "") + '\'';
+  };
   std::vector<std::string> items{
       side.rail + " with filledcurves y=" + general(frame.z.least - frame.z.length(), 9) +
-          " fs solid fc rgb '#f3ebe3' notitle",
+          " fs solid fc rgb '" + colour::rail_body + "' notitle",
       side.wheel + " with filledcurves y=" + general(frame.z.greatest + frame.z.length(), 9) +
-          " fs solid fc rgb '#e9eff8' notitle",
-      side.rail + " with lines lw 2 lc rgb '" + colour::rail + "' title 'rail'",
-      side.wheel + " with lines lw 2 lc rgb '" + colour::wheel + "' title 'wheel'"};
+          " fs solid fc rgb '" + colour::wheel_body + "' notitle",
+      side.rail + " with lines lw 2 lc rgb '" + colour::rail + '\'' + title("rail"),
+      side.wheel + " with lines lw 2 lc rgb '" + colour::wheel + '\'' + title("wheel")};
   for (const DrawnPatch& patch : by_force) {
     const double dy = half_plane * std::cos(patch.plane_angle);
     const double dz = half_plane * std::sin(patch.plane_angle);
@@ -156,8 +162,8 @@ void plot_outlines(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side) 
                     std::to_string(patch.name.index) + ": " + force_text(patch.force) + ", " +
                     angle_text(patch.force_angle) + '\'');
   }
-  items.push_back(gnuplot.block({y}, {z}) +
-                  " with points pt 6 ps 1.2 lw 2 lc rgb 'black' title 'first touch'");
+  items.push_back(gnuplot.block({y}, {z}) + " with points pt 6 ps 1.2 lw 2 lc rgb 'black'" +
+                  title("first touch"));
   gnuplot.plot(items);
   out << "unset arrow\n";
 }
@@ -236,10 +242,11 @@ void write_axes(std::ostream& out, const DrawnSide& side, const PatchAxes& axes)
       for (const double sign : {-1.0, 1.0}) {
         const double place = middle + sign * half_break;
         out << "set arrow from " << place << ", graph 0 to " << place
-            << ", graph 1 nohead dt 2 lw 1.5 lc rgb '#909090'\n";
+            << ", graph 1 nohead dt 2 lw 1.5 lc rgb '" << colour::quiet << "'\n";
       }
       out << "set label '" << fixed(side.gaps[i].left_out, 0) << " mm left out' at "
-          << middle + 3.0 * half_break << ", graph 0.5 center rotate by 90 tc rgb '#606060'\n";
+          << middle + 3.0 * half_break << ", graph 0.5 center rotate by 90 tc rgb '" << colour::note
+          << "'\n";
       begin = middle + 2.0 * half_break;
     }
   }
@@ -282,8 +289,6 @@ void plot_pressure(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
     above = !above;
   }
   std::vector<std::string> items;
-  std::vector<double> centres;
-  std::vector<double> along;
   for (const DrawnPatch& patch : side.patches) {
     const std::string shifted = " using ($1+(" + general(patch.across, 9) + ")):2";
     items.push_back(patch.block + shifted + ":($3 > 0 ? $3 : NaN) with image");
@@ -291,25 +296,47 @@ void plot_pressure(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
       items.push_back(patch.contours() + shifted + " with lines lw 0.8 lc rgb '" + colour::contour +
                       '\'');
     }
-    centres.push_back(patch.across + patch.in_plane(patch.centroid_y, patch.centroid_z));
-    along.push_back(patch.centroid_x);
   }
-  items.push_back(gnuplot.block(centres, along) + " with points pt 2 ps 1 lw 1.5 lc rgb 'black'");
   gnuplot.plot(items);
   end_axes(out);
 }
 
+/// Lengths of the arrows of tractions, the same for all sides taken in.
+class ArrowScale {
+public:
+  void include(const DrawnSide& side) {
+    for (const DrawnPatch& patch : side.patches) {
+      largest_ = std::max(largest_, patch.largest_traction);
+      step_ = std::max(step_, patch.arrow_step);
+    }
+  }
+  /// mm for each MPa: arrows of neighbours touch where the traction is largest.
+  [[nodiscard]] double length() const { return 1.2 * step_ / largest_; }
+  /// A round traction that the legend shows, MPa.
+  [[nodiscard]] double shown() const { return tick_distance(0.4 * largest_); }
+
+private:
+  double largest_ = 0.0;
+  double step_ = 0.0;
+};
+
 /// The tractions of all patches of a side as arrows, on areas of slip and adhesion.
 void plot_tractions(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
-                    const PatchAxes& axes) {
+                    const PatchAxes& axes, const ArrowScale& arrows) {
   std::ostream& out = gnuplot.script();
   double largest = 0.0;
-  double step = 0.0;
   for (const DrawnPatch& patch : side.patches) {
     largest = std::max(largest, patch.largest_traction);
-    step = std::max(step, patch.arrow_step);
   }
   write_axes(out, side, axes);
+  const double begin = side.across.middle() + 0.46 * axes.width();
+  const double end = begin - arrows.length() * arrows.shown();
+  const double height = side.along.middle() + 0.43 * axes.length();
+  constexpr double between = 0.015; // of the width, between arrow and text
+  out << "set arrow from " << begin << ',' << height << " to " << end << ',' << height
+      << " head size screen 0.004,20 lc rgb '" << colour::arrow << "' lw 1 front\nset label '"
+      << general(arrows.shown()) << " MPa' at " << end - between * axes.width() << ',' << height
+      << " left front\n";
   double along = 0.0;
   double across = 0.0;
   for (const DrawnPatch& patch : side.patches) {
@@ -329,18 +356,19 @@ void plot_tractions(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
       items.push_back(block + " using " + place + ":3:4:5:6 with rgbalpha notitle");
     }
   }
-  // Arrows of neighbours touch where the traction is largest.
-  const double scale = 1.2 * step / largest;
+  const double scale = arrows.length();
   for (const DrawnPatch& patch : side.patches) {
     const std::string place = "($1+(" + general(patch.across, 9) + ")):2";
     for (const std::string& block : patch.arrows) {
       items.push_back(block + " using " + place + ":(" + general(scale, 9) + "*$3):(" +
-                      general(scale, 9) +
-                      "*$4) with vectors head size screen 0.004,20 lc rgb '#303030' lw 1 notitle");
+                      general(scale, 9) + "*$4) with vectors head size screen 0.004,20 lc rgb '" +
+                      colour::arrow + "' lw 1 notitle");
     }
   }
-  items.emplace_back("NaN with boxes fs solid lc rgb '#cfe2f3' title 'adhesion'");
-  items.emplace_back("NaN with boxes fs solid lc rgb '#f6c7b6' title 'slip'");
+  for (const auto& [name, of] : {std::pair{"adhesion", colour::adhesion}, {"slip", colour::slip}}) {
+    items.push_back(std::string("NaN with boxes fs solid lc rgb '") + of + "' title '" + name +
+                    '\'');
+  }
   gnuplot.plot(items);
   end_axes(out);
 }
@@ -368,14 +396,18 @@ void draw_scene(const Scene& scene, const std::filesystem::path& path,
   const bool has_pressures = scene.get_text("solve.until") == "mechanics";
   std::vector<DrawnSide> sides;
   PatchAxes axes;
+  ArrowScale arrows;
   for (const std::string& name : sides_of(scene)) {
     sides.push_back(write_side(gnuplot, scene, name, has_pressures));
     axes.include(sides.back());
+    arrows.include(sides.back());
   }
   std::vector<PanelRow> rows;
   rows.emplace_back(
       sides, [](const DrawnSide&) { return true; },
-      [&](const DrawnSide& side, bool) { plot_outlines(gnuplot, scene, side); });
+      [&](const DrawnSide& side, bool) {
+        plot_outlines(gnuplot, scene, side, side.name == sides.front().name);
+      });
   rows.emplace_back(
       sides, [&](const DrawnSide&) { return has_pressures; },
       [&](const DrawnSide& side, bool) { plot_pressure(gnuplot, scene, side, axes); });
@@ -388,7 +420,7 @@ void draw_scene(const Scene& scene, const std::filesystem::path& path,
       [&](const DrawnSide& side, bool alone) {
         PatchAxes own = PatchAxes::of_row();
         own.include(side);
-        plot_tractions(gnuplot, scene, side, alone ? own : axes);
+        plot_tractions(gnuplot, scene, side, alone ? own : axes, arrows);
       });
   rows.emplace_back(
       sides,

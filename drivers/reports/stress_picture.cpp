@@ -35,7 +35,7 @@ void plot_stress(Gnuplot& gnuplot, const Scene& scene, const std::string& side) 
   const double place = scene.number(patch.prefix + (across ? "stress.across" : "stress.along"));
   const std::string block = gnuplot.block(data.str());
   out << "set size noratio\nset title '" << side << " wheel, in the "
-      << scene.get_text("stress.body") << ": von Mises " << fixed(greatest, 0) << " MPa, "
+      << scene.get_text("stress.body") << ": von Mises " << fixed(greatest, 0) << " MPa (cross), "
       << fixed(depth, 2) << " mm below the surface'\nset xlabel '"
       << (across ? "across the patch, mm (to the field side)" : "along the patch, mm (forward)")
       << "'\nset ylabel 'depth, mm'\nset cblabel 'von Mises stress, MPa' offset 1\n"

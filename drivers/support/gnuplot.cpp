@@ -197,6 +197,16 @@ std::string line_colour(std::size_t index, std::size_t count) {
   return text.str();
 }
 
+std::string components_of(const std::string& colour) {
+  constexpr int hexadecimal = 16;
+  std::string text;
+  for (const std::size_t at : {1U, 3U, 5U}) {
+    text += (text.empty() ? "" : " ") +
+            std::to_string(std::stoi(colour.substr(at, 2), nullptr, hexadecimal));
+  }
+  return text;
+}
+
 int legend_width(std::size_t lines) {
   constexpr std::size_t most_above = 6;
   constexpr int beside = 240;

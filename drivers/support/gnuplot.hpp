@@ -38,7 +38,16 @@ inline constexpr const char* wheel = "#1f4e9e";
 inline constexpr const char* marked = "#c00000"; ///< what the reader is to look at
 inline constexpr const char* quiet = "#909090";  ///< what others are compared with
 inline constexpr const char* contour = "#404040";
+inline constexpr const char* arrow = "#303030";
+inline constexpr const char* note = "#606060"; ///< texts beside the drawing
+inline constexpr const char* rail_body = "#f3ebe3";
+inline constexpr const char* wheel_body = "#e9eff8";
+inline constexpr const char* adhesion = "#cfe2f3";
+inline constexpr const char* slip = "#f6c7b6";
+inline constexpr const char* band = "#a8c8e8"; ///< between two ends
 } // namespace colour
+/// Red, green and blue of a colour, 0 to 255, with blanks between.
+std::string components_of(const std::string& colour);
 /// Axes and grid as all pictures have them.
 extern const char* const axes_style;
 /// The same with the legend of lines.

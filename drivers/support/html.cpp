@@ -4,37 +4,11 @@
 #include <fstream>
 #include <iterator>
 
+#include "support/report_head_html.hpp"
 #include "support/scene.hpp"
 
 namespace driver {
 namespace {
-
-// Pictures are shown by img, which runs no script within them; the policy forbids all others.
-constexpr const char* head =
-    R"(<!DOCTYPE html>
-<html lang="en">
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">
-<meta name="viewport" content="width=device-width">
-<style>
-:root { color-scheme: light dark; }
-body { font: 15px sans-serif; margin: 1em auto; max-width: 960px; padding: 0 1em; overflow-wrap: anywhere; }
-h1 { font-size: 1.4em; }
-h2 { font-size: 1.15em; margin-top: 1.6em; border-bottom: 1px solid #8888; }
-img { max-width: 100%; height: auto; display: block; margin: .6em 0; background: #fff; }
-table { border-collapse: collapse; margin: .6em 0; display: block; overflow-x: auto; overflow-wrap: normal; }
-td, th { padding: .2em .6em; border-bottom: 1px solid #8885; text-align: left; vertical-align: top; font-weight: normal; }
-td:last-child:not(.number) { min-width: 11em; overflow-wrap: anywhere; }
-.number { text-align: right; font-variant-numeric: tabular-nums; }
-td.number { white-space: nowrap; }
-.fail { color: #c00000; font-weight: bold; }
-li { margin: .25em 0; }
-@media (prefers-color-scheme: dark) { .fail { color: #ff8080; } }
-@media print { @page { size: A4; margin: 15mm; } body { max-width: none; margin: 0; padding: 0; font-size: 10pt; }
-  table { display: table; width: 100%; } td, th { padding: .15em .3em; } img, tr { break-inside: avoid; }
-  img { max-height: 230mm; width: auto; } h2 { break-after: avoid; } }
-</style>
-)";
 
 std::string base64(const std::string& bytes) {
   constexpr const char* letters =
@@ -88,7 +62,7 @@ std::string html_text(const std::string& text) {
 }
 
 HtmlPage::HtmlPage(const std::string& title) {
-  out_ << head << "<title>" << html_text(title) << "</title>\n<h1>" << html_text(title)
+  out_ << report_head_html << "<title>" << html_text(title) << "</title>\n<h1>" << html_text(title)
        << "</h1>\n";
 }
 

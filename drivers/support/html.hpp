@@ -13,7 +13,8 @@ namespace driver {
 /// or another attribute. Control characters become blanks.
 std::string html_text(const std::string& text);
 
-/// Elements below each other. The page may load and run nothing, whatever its texts are.
+/// Elements below each other. The page may load and run nothing, whatever its texts are: img runs
+/// no script within a picture, and the policy of report_head.html forbids all others.
 class HtmlPage {
 public:
   explicit HtmlPage(const std::string& title);

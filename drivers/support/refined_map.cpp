@@ -75,8 +75,8 @@ std::vector<double> squares_of(const std::vector<double>& pressure, std::size_t 
 } // namespace
 
 RefinedMap::RefinedMap(std::size_t rows, std::size_t columns)
-    : rows_(rows), columns_(columns),
-      factor_(std::clamp<std::size_t>(240 / std::max(rows, columns), 1, 8)) {}
+    : rows_(rows), columns_(columns), down_(std::clamp<std::size_t>(240 / rows, 1, 8)),
+      on_(std::clamp<std::size_t>(240 / columns, 1, 8)) {}
 
 template <class WeightsAt>
 std::vector<double> RefinedMap::refine(const std::vector<double>& values, WeightsAt weights) const {
@@ -88,13 +88,13 @@ std::vector<double> RefinedMap::refine(const std::vector<double>& values, Weight
   std::vector<double> fine;
   fine.reserve(rows() * columns());
   for (std::size_t i = 0; i < rows(); ++i) {
-    const Weights down = weights(static_cast<double>(i % factor_) / static_cast<double>(factor_));
+    const Weights down = weights(static_cast<double>(i % down_) / static_cast<double>(down_));
     for (std::size_t j = 0; j < columns(); ++j) {
-      const Weights on = weights(static_cast<double>(j % factor_) / static_cast<double>(factor_));
+      const Weights on = weights(static_cast<double>(j % on_) / static_cast<double>(on_));
       double sum = 0.0;
       for (std::size_t k = 0; k < down.size(); ++k) {
         for (std::size_t l = 0; l < on.size(); ++l) {
-          sum += down[k] * on[l] * value(i / factor_ + k, j / factor_ + l);
+          sum += down[k] * on[l] * value(i / down_ + k, j / on_ + l);
         }
       }
       fine.push_back(sum);
@@ -110,8 +110,8 @@ std::vector<double> RefinedMap::linear(const std::vector<double>& values) const 
 std::vector<double> RefinedMap::pressure(const std::vector<double>& pressure) const {
   std::vector<double> fine = refine(squares_of(pressure, rows_, columns_), smooth);
   for (std::size_t k = 0; k < fine.size(); ++k) {
-    const std::size_t row = k / columns() / factor_;
-    const std::size_t column = k % columns() / factor_;
+    const std::size_t row = k / columns() / down_;
+    const std::size_t column = k % columns() / on_;
     double greatest = 0.0; // of the elements around
     for (const std::size_t i : {row, std::min(row + 1, rows_ - 1)}) {
       for (const std::size_t j : {column, std::min(column + 1, columns_ - 1)}) {

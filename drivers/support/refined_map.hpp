@@ -16,8 +16,8 @@ public:
   /// Of a grid with the columns fastest, each at least 2.
   RefinedMap(std::size_t rows, std::size_t columns);
 
-  [[nodiscard]] std::size_t rows() const { return (rows_ - 1) * factor_ + 1; }
-  [[nodiscard]] std::size_t columns() const { return (columns_ - 1) * factor_ + 1; }
+  [[nodiscard]] std::size_t rows() const { return (rows_ - 1) * down_ + 1; }
+  [[nodiscard]] std::size_t columns() const { return (columns_ - 1) * on_ + 1; }
   /// Places of the elements, or others that change linearly between them.
   [[nodiscard]] std::vector<double> linear(const std::vector<double>& values) const;
   /// Pressures; 0 outside the contact.
@@ -30,7 +30,8 @@ private:
 
   std::size_t rows_;
   std::size_t columns_;
-  std::size_t factor_;
+  std::size_t down_; ///< times as fine from row to row
+  std::size_t on_;   ///< from column to column
 };
 
 } // namespace driver

@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
       .one_value_each();
   app.flag("--json", json, "print one JSON object instead of the table");
   app.flag("--csv", csv, "print CSV, one line per side, instead of the table");
-  app.add("--digits", digits, "digits of numbers of --csv; 17: all that there are")
+  app.add("--digits", digits, "digits of numbers of --csv; 17 prints full precision")
       .within(1, 17)
       .show_default();
   app.add("--vtk", vtk, "write the fields of all patches as legacy VTK, for ParaView").type("FILE");

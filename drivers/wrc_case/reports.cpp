@@ -82,20 +82,24 @@ public:
     double factor = 1.0;
   };
 
-  /// Prints patches that have the result `needed`.
+  /// Prints patches and parts that have the result `needed`.
   PatchPrinter(const Scene& scene, std::ostream& out, const char* needed = "pmax")
       : scene_(scene), out_(out) {
-    for (const PatchName& patch : all_patches(scene)) {
-      if (!scene.has_number(patch.prefix + needed)) {
-        continue;
+    const auto add = [&](const std::string& side, const std::string& index,
+                         const std::string& prefix) {
+      if (scene.has_number(prefix + needed)) {
+        lines_.push_back({padded(side, 8) + padded_left(index), prefix});
       }
+    };
+    for (const PatchName& patch : all_patches(scene)) {
       const std::string index = std::to_string(patch.index);
-      lines_.push_back({padded("  " + patch.side, 8) + padded_left(index), patch.prefix});
+      add("  " + patch.side, index, patch.prefix);
+      const bool titled = scene.has_number(patch.prefix + needed);
       const int parts = scene.count_of(patch.prefix + "parts");
       for (int part = 0; part < parts; ++part) {
         const std::string of_part = std::to_string(part);
-        lines_.push_back({padded("", 8) + padded_left(index + '.' + of_part),
-                          patch.prefix + "parts." + of_part + '.'});
+        add(titled ? "" : "  " + patch.side, index + '.' + of_part,
+            patch.prefix + "parts." + of_part + '.');
       }
     }
   }
@@ -188,6 +192,14 @@ void print_creep_forces(const Scene& scene, std::ostream& out) {
                         {"adhesion", "mm2", "adhesion_area", 10, 2},
                         {"traction", "max, MPa", "traction_max", 10, 1},
                         {"T-gamma", "N", "wear_number", 9, 3}});
+}
+
+void print_kalker(const Scene& scene, std::ostream& out) {
+  const PatchPrinter table(scene, out, "kalker.c11");
+  table.print("Kalker", {{"c11", "", "kalker.c11", 10, 4},
+                         {"c22", "", "kalker.c22", 9, 4},
+                         {"c23", "", "kalker.c23", 9, 4},
+                         {"c33", "", "kalker.c33", 9, 4}});
 }
 
 void print_patch_places(const Scene& scene, std::ostream& out) {
@@ -312,6 +324,7 @@ void print_table(const Scene& scene, std::ostream& out) {
     print_smoothing(scene, out);
     print_patch_forces(scene, out);
     print_creep_forces(scene, out);
+    print_kalker(scene, out);
   }
   if (until != "geometry") {
     print_patch_places(scene, out);
@@ -362,7 +375,7 @@ void print_json(const Scene& scene, std::ostream& out) {
 }
 
 void print_csv(const Scene& scene, int digits, std::ostream& out) {
-  const std::vector<std::string> columns = words(
+  std::vector<std::string> columns = words(
       "rigid_contact.s_wheel rigid_contact.t_rail rigid_contact.y rigid_contact.z "
       "rigid_contact.angle rigid_contact.rolling_radius pmax pmax_element area normal_force "
       "vertical_force lateral_force longitudinal_force pressure_force.x pressure_force.y "
@@ -370,6 +383,13 @@ void print_csv(const Scene& scene, int digits, std::ostream& out) {
       "centroid.y centroid.z centroid.s_wheel centroid.rolling_radius centroid.angle approach "
       "depth angle error_estimate iterations convolutions solutions fill grid.lateral "
       "grid.longitudinal element_size.lateral element_size.longitudinal");
+  for (const std::string& name : scene.number_names()) { // of the patches, if requested
+    const std::string column = name.substr(name.find('.') + 1);
+    if (name.find(".kalker.") != std::string::npos &&
+        std::find(columns.begin(), columns.end(), column) == columns.end()) {
+      columns.push_back(column);
+    }
+  }
   CsvLine(out)
       .add(words("side roll vertical patches"))
       .add(columns)

@@ -293,8 +293,8 @@ void plot_bands(Gnuplot& gnuplot, const std::vector<Position>& positions, double
   }
   std::vector<std::string> items;
   if (!strokes.str().empty()) {
-    items.push_back(gnuplot.block(strokes.str()) +
-                    " with vectors nohead lw 7 lc rgb '#a8c8e8' title 'pressed'");
+    items.push_back(gnuplot.block(strokes.str()) + " with vectors nohead lw 7 lc rgb '" +
+                    colour::band + "' title 'pressed'");
   }
   if (const std::string block = line_over(gnuplot, positions, touch, range); !block.empty()) {
     items.push_back(block + " with points pt 7 ps 0.6 lc rgb '" + colour::marked +

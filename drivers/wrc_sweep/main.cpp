@@ -190,7 +190,7 @@ int lead(const Options& options, const driver::Study& study, const driver::Ranks
 /// `started`: all ranks have begun, so that a failure is of this one.
 int sweep(const Options& options, const driver::Ranks& ranks, bool& started) {
   if (options.list_results) {
-    for (const std::string& name : driver::all_results()) {
+    for (std::int64_t i = 0; const char* name = wrc_result_name(i); ++i) {
       std::cout << name << '\n';
     }
     return 0;

@@ -47,8 +47,9 @@ std::vector<Connection> connections_of(const PictureRequest& picture, const Pict
   return all;
 }
 
+/// `has_legend`: one for all sides.
 void plot_side(Gnuplot& gnuplot, const PictureRequest& picture, const PictureData& data,
-               const Scene& centred, const std::string& side) {
+               const Scene& centred, const std::string& side, bool has_legend) {
   constexpr double raised = 30.0; // mm, the wheel above its true position
   const std::vector<double> wheel_y = centred.field(side + ".wheel_y");
   std::vector<double> wheel_z = centred.field(side + ".wheel_z");
@@ -93,12 +94,15 @@ void plot_side(Gnuplot& gnuplot, const PictureRequest& picture, const PictureDat
                    << " mm above its place'\nset xlabel 'track y, mm (to the left)'\n"
                    << "set ylabel 'track z, mm'\nset xrange [" << middle + half_width << ':'
                    << middle - half_width << "]\nset yrange [-25:60]\nset size ratio -1\n";
+  const auto title = [has_legend](const char* text) {
+    return " title '" + std::string(has_legend ? text : "") + '\'';
+  };
   gnuplot.plot(
-      {gnuplot.block(lines) + " with lines lw 1.5 lc rgb '" + colour::marked +
-           "' title 'touch each other'",
-       rail + " with lines lw 2 lc rgb '" + colour::rail + "' title 'rail'",
-       wheel + " with lines lw 2 lc rgb '" + colour::wheel + "' title 'wheel'",
-       gnuplot.block(leaders) + " with lines lw 0.5 lc rgb '#b0b0b0' title ''",
+      {gnuplot.block(lines) + " with lines lw 1.5 lc rgb '" + colour::marked + '\'' +
+           title("points that touch"),
+       rail + " with lines lw 2 lc rgb '" + colour::rail + '\'' + title("rail"),
+       wheel + " with lines lw 2 lc rgb '" + colour::wheel + '\'' + title("wheel"),
+       gnuplot.block(leaders) + " with lines lw 0.5 lc rgb '" + colour::quiet + "' title ''",
        gnuplot.block(labels) + " using 1:2:3 with labels offset 0,0.4 font ',8' title ''"});
 }
 
@@ -117,9 +121,10 @@ void draw_connections(const PictureRequest& picture, const PictureData& data,
   centred.solve();
   Gnuplot gnuplot;
   gnuplot.begin_multiplot(1, picture.sides.size(), picture.title);
-  gnuplot.script() << "set key outside top center horizontal\n" << warning_note(data);
+  gnuplot.script() << "set key at screen 0.5,0.95 center top horizontal maxrows 1\nset tmargin 4\n"
+                   << warning_note(data);
   for (const std::string& side : picture.sides) {
-    plot_side(gnuplot, picture, data, centred, side);
+    plot_side(gnuplot, picture, data, centred, side, side == picture.sides.front());
     gnuplot.script() << end_of_warning_note();
   }
   gnuplot.draw(path, 720 * static_cast<int>(picture.sides.size()), 680);

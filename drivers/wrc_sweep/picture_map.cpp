@@ -62,8 +62,12 @@ void draw_map(const PictureRequest& picture, const PictureData& data,
   const std::size_t rows = (picture.panels.size() + columns - 1) / columns;
   Gnuplot gnuplot;
   gnuplot.begin_multiplot(rows, columns, picture.title);
+  // About 200 steps of colours each way.
+  const auto finer = [](std::size_t places) { return std::to_string(1 + 200 / places); };
+  gnuplot.script() << "set pm3d interpolate " << finer(places_of(picture, data).size()) << ','
+                   << finer(data.numbers_of(picture.series.front()).size()) << '\n';
   gnuplot.script() << map_palette
-                   << "set view map\nset pm3d interpolate 8,8\nset contour base\n"
+                   << "set view map\nset contour base\n"
                       "set cntrparam cubicspline points 8\n"
                       "set cntrlabel onecolor\nunset key\nset lmargin 13\nset xlabel "
                    << gnuplot_text(picture.x_label, Markup::subscripts) << "\nset ylabel "

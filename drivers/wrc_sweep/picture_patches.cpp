@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "support/gnuplot.hpp"
 #include "support/numbers.hpp"
@@ -148,7 +149,7 @@ std::vector<MapRow> rows_of(Gnuplot& gnuplot, const PictureRequest& picture,
 
 /// Cells as wide and high as the largest of them, with room for labels; mm.
 struct Layout {
-  static constexpr double head = 5.0; ///< for the values of the columns
+  static constexpr double head = 9.0; ///< for the values of the columns and what they are
   static constexpr double foot = 5.0; ///< for the scale
 
   /// `letters`: of the longest label beside the rows.
@@ -197,9 +198,9 @@ void write_frame(std::ostream& out, const PictureRequest& picture, const Layout&
       << (cut ? " (darkest: this and more)" : "") << "' offset 1\nset cbtics\n"
       << map_palette << "set xrange [" << -layout.margin << ':' << layout.width << "]\nset yrange ["
       << -layout.height - Layout::foot << ':' << Layout::head << "]\nset cbrange [0:" << darkest
-      << "]\nset label " << gnuplot_text(picture.x_label + ':', Markup::subscripts) << " at "
-      << -layout.margin << ',' << 0.5 * Layout::head << "\nset arrow from 0," << scale_y << " rto "
-      << bar << ",0 heads size 1,90 lw 1.5\n"
+      << "]\nset label " << gnuplot_text(picture.x_label, Markup::subscripts) << " at "
+      << 0.5 * layout.width << ',' << 0.75 * Layout::head << " center"
+      << "\nset arrow from 0," << scale_y << " rto " << bar << ",0 heads size 1,90 lw 1.5\n"
       << "set label '10 mm; left is left, forward is up; below each patch p_{max} in MPa' at "
       << bar + 2.0 << ',' << scale_y << '\n';
 }
@@ -212,7 +213,7 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
   std::ostream& out = gnuplot.script();
   const std::vector<double> columns = places_of(picture, data);
   const std::vector<MapRow> rows = rows_of(gnuplot, picture, data, columns);
-  std::size_t letters = picture.x_label.size() + 1;
+  std::size_t letters = std::string_view("right wheel").size();
   for (const MapRow& row : rows) {
     letters = std::max(letters, row.label.size());
   }
@@ -224,7 +225,7 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
   };
   for (std::size_t j = 0; j < columns.size(); ++j) {
     out << "set label '" << text_of(picture.x_factor * columns[j]) << "' at " << column_middle(j)
-        << ',' << 0.5 * Layout::head << " center\n";
+        << ',' << 0.25 * Layout::head << " center\n";
   }
   std::vector<std::string> items;
   for (std::size_t i = 0; i < rows.size(); ++i) {

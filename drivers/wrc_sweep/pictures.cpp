@@ -100,7 +100,7 @@ std::string warning_note(const PictureData& data, const std::string& marks, bool
   }
   const bool loud = data.warnings().scenes(WRC_DO_NOT_USE) > 0;
   return (has_axes ? "set bmargin 5\n" : "") + ("set label 9999 '" + brief) +
-         "' at screen 0.006,character 0.7 left tc rgb '" + (loud ? "#b00000" : "#606060") +
+         "' at screen 0.006,character 0.7 left tc rgb '" + (loud ? colour::marked : colour::note) +
          "' front\n";
 }
 

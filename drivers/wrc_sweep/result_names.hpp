@@ -10,10 +10,7 @@ namespace driver {
 
 /// What most studies want to know, the same for both sides. Nothing that differs from run to run.
 std::vector<std::string> default_results();
-/// All names, as those of a solved scene, with patches and near contacts numbered 0.
-std::vector<std::string> all_results();
-/// Throw Failure naming what is unknown; "left.patches.3.pmax" is known if "left.patches.0.pmax"
-/// is.
+/// Throw Failure naming what is unknown to the library, whether or not a scene of the study has it.
 void check_results(const std::vector<std::string>& names);
 void check_fields(const std::vector<std::string>& names);
 

@@ -22,6 +22,7 @@ from .plot import picture_style
 from .profile import Profile, ProfilePoint, standard_profiles
 from .report import report
 from .result import FrozenResult, Group, Result
+from .shakedown import shakedown_map
 from .scene import Key, Scene, key_of, keys, solve
 from .solver import Equilibrium, History, Solver, Step, solve_batch
 from .study import study
@@ -32,6 +33,6 @@ __all__ = [
     "AccuracyNote", "Busy", "Comparison", "Conicity", "ContactWarning", "Dimensions", "Equilibrium", "Error", "FileMalformed", "FileUnreadable", "FrozenResult", "Group", "History", "InternalError",
     "InvalidArgument", "Key", "NoContact", "NoResult", "NormalContact", "NotConverged",
     "OutOfMemory", "Profile", "ProfilePoint", "Result", "RollingContact", "Scene", "Solver", "Step",
-    "Table", "TableFacts", "TooSmall", "UnknownName", "key_of", "keys", "picture_style", "report", "solve", "solve_batch", "standard_profiles",
+    "Table", "TableFacts", "TooSmall", "UnknownName", "key_of", "keys", "picture_style", "report", "shakedown_map", "solve", "solve_batch", "standard_profiles",
     "study",
 ]

@@ -82,7 +82,7 @@ MEANINGS = {
     "left.validity": "of an approximate model, 0 to 1",
     "left.model": "texts",
     "left.model_reason": "texts",
-    "left.patch_count": "how many patches there are",
+    "left.patch_count": "number of patches",
     "left.solutions": "how often all patches were solved together, coarse solution included",
     "left.iterations": "of all solutions together",
     "left.convolutions": "of all solutions together",

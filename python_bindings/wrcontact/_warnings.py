@@ -17,6 +17,7 @@ _HERE = os.path.dirname(__file__)
 _NUMBER = re.compile(r"(?<![^ (),;:])[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?(?![^ (),;:])")
 _MOST_KINDS = 20
 GRADES = ("fine", "a little over", "do not use")
+_LEADS = ("Note: ", "A little over: ", "Do not use: ")
 _OVER = GRADES.index("a little over")
 
 Graded = tuple[int, str]  # a warning: its grade, an index of GRADES, and its text
@@ -43,6 +44,13 @@ def graded_warnings_of(handle: Any) -> list[Graded]:
 def worst_of(graded: Iterable[Graded]) -> int:
     """The worst grade."""
     return max((grade for grade, _ in graded), default=0)
+
+
+def lines_of(graded: Sequence[Graded]) -> list[str]:
+    """Lines to be read, as the programs print them: those a little over the accuracy once, unless others are not to be used."""
+    over = [number for number, (grade, _) in enumerate(graded) if grade == _OVER]
+    left_out = over[1:] if worst_of(graded) == _OVER else []
+    return [_LEADS[grade] + " ".join(text.splitlines()) for number, (grade, text) in enumerate(graded) if number not in left_out]
 
 
 def warn(graded: Sequence[Graded]) -> None:

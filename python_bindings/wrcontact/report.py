@@ -18,10 +18,11 @@ from typing import TYPE_CHECKING, Any, Union
 import numpy as np
 
 from ._library import lib, string
+from ._report_head import HEAD
 from ._warnings import GRADES
 from .conicity import STANDARD, over_defaults
 from .errors import ContactWarning, Error, InvalidArgument
-from .plot import picture_style
+from .plot import NOTE, picture_style
 from .profile import Profile, files_of, refuse_overwriting
 from .scene import Scene, solve
 
@@ -35,35 +36,11 @@ _SMOOTHINGS = (0, 3, 5, 8, 15)  # mm
 _OF_PAIRS = {"equivalent_conicity": ("1", "equivalent conicity at an amplitude of 3 mm"),
              "pmax_centred": ("MPa", "largest pressure, centred"),
              "pmax": ("MPa", "largest pressure at any position")}
-# As that of the programs (drivers/support/html.cpp).
-_HEAD = """<!DOCTYPE html>
-<html lang="en">
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">
-<meta name="viewport" content="width=device-width">
-<style>
-:root { color-scheme: light dark; }
-body { font: 15px sans-serif; margin: 1em auto; max-width: 960px; padding: 0 1em; overflow-wrap: anywhere; }
-h1 { font-size: 1.4em; }
-h2 { font-size: 1.15em; margin-top: 1.6em; border-bottom: 1px solid #8888; }
-img { max-width: 100%; height: auto; display: block; margin: .6em 0; background: #fff; }
-table { border-collapse: collapse; margin: .6em 0; display: block; overflow-x: auto; overflow-wrap: normal; }
-td, th { padding: .2em .6em; border-bottom: 1px solid #8885; text-align: left; vertical-align: top; font-weight: normal; }
-td:last-child:not(.number) { min-width: 11em; overflow-wrap: anywhere; }
-.number { text-align: right; font-variant-numeric: tabular-nums; }
-td.number { white-space: nowrap; }
-.fail { color: #c00000; font-weight: bold; }
-@media (prefers-color-scheme: dark) { .fail { color: #ff8080; } }
-@media print { @page { size: A4; margin: 15mm; } body { max-width: none; margin: 0; padding: 0; font-size: 10pt; }
-  table { display: table; width: 100%; } td, th { padding: .15em .3em; } img, tr { break-inside: avoid; }
-  img { max-height: 230mm; width: auto; } h2 { break-after: avoid; } }
-</style>
-"""
 
 
 class _Page:
     def __init__(self, title: str) -> None:
-        self.parts = [f"{_HEAD}<title>{escape(title)}</title>\n<h1>{escape(title)}</h1>\n"]
+        self.parts = [f"{HEAD}<title>{escape(title)}</title>\n<h1>{escape(title)}</h1>\n"]
 
     def add(self, tag: str, text: str) -> None:
         self.parts.append(f"<{tag}>{escape(text)}</{tag}>\n")
@@ -366,7 +343,7 @@ def _add_profile(page: _Page, profile: Profile, nominal: Profile | None) -> None
     figure = profile.plot()
     if nominal is not None:
         curve = nominal.at(np.arange(0.0, nominal.length, 0.1))
-        figure.axes[0].plot(curve.lateral, curve.height, "--", color="#666666", linewidth=1, label=f"nominal: {nominal.name}")
+        figure.axes[0].plot(curve.lateral, curve.height, "--", color=NOTE, linewidth=1, label=f"nominal: {nominal.name}")
         figure.axes[0].legend()
         found = profile.compare(nominal)
         page.add("p", f"The nominal profile is at most {found.largest:.3f} mm away, at lateral {found.largest_at[0]:.1f} mm; "

@@ -28,6 +28,10 @@ _ON_CREEP_GRID = ("creep_", "traction_", "slip_", "frictional_")
 _COUNTS = re.compile(r"(.*\.)?(\w+_count|grade|state|solutions|iterations|(creep_)?convolutions|regions|lobes"
                      r"|(creep_)?grid\.(lateral|longitudinal))")
 
+# Lists, which may have no entries.
+_LISTS = re.compile(r"corrections|warning_classes|warning_grades"
+                    r"|(left|right)\.(warnings|near_contacts|patches(\.\d+\.parts)?)")
+
 
 def is_count(name: str) -> bool:
     """Whether a result is a whole number."""
@@ -46,7 +50,7 @@ class Group:
     """Results whose names begin alike: `result.left`, `result.left.patches[0]`.
 
     Attributes and `group["patches.0.pmax"]` give numbers (float; int if they count), texts (str), fields
-    (arrays), or further groups; a list such as `left.patches` has a length and can be gone through. dir() names
+    (arrays), or further groups; a list such as `left.patches` has a length, 0 without contact, and can be gone through. dir() names
     what there is but fields, which docs/results.md lists. Fields of a patch are two-dimensional,
     rows across the rail from the track centre to the field side, columns along it; those of stresses
     have a row for each depth. Each access copies a field out of the library once. Of a patch, x, y
@@ -69,6 +73,9 @@ class Group:
             return number
         if result._is_group(full):
             return Group(result, full + ".")
+        parent = full.rpartition(".")[0]
+        if _LISTS.fullmatch(full) and (not parent or result._is_group(parent)):
+            return []
         if isinstance(name, int) and not 0 <= name < (len(self) or name + 1):
             raise IndexError(f"{self._prefix[:-1]} has {len(self)} entries, there is no {name}")
         return result._value(full)
@@ -381,7 +388,7 @@ def _patch_rows(result: Result) -> list[tuple[str, ...]]:
     for side in ("left", "right"):
         if side not in result._groups:
             continue
-        patches = list(result[side].patches) if f"{side}.patches" in result._groups else []
+        patches = result[side].patches
         for index, patch in enumerate(patches):
             values = [f"{patch[name]:{form}}" if f"{patch._prefix}{name}" in result._names else "-"
                       for name, form in (("pmax", ".6g"), ("area", ".6g"), ("normal_force", ".8g"),

@@ -1,4 +1,5 @@
 /// The C++ interface over the C one: what it returns, throws and moves.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -83,6 +84,16 @@ TEST(CppInterface, KeysAndNamesAreThoseOfTheLibrary) {
   ASSERT_EQ(static_cast<std::int64_t>(keys.size()), wrc_scene_key_count());
   EXPECT_NE(std::string(keys.front().meaning), "");
   EXPECT_GT(wrcontact::standard_profile_names(WRC_WHEEL).size(), 3U);
+  std::vector<std::string> names;
+  const wrcontact::Scene scene;
+  for (std::int64_t i = 0; const char* name = wrc_result_name(i); ++i) {
+    EXPECT_NO_THROW((void)scene.number_id(name)) << name;
+    names.emplace_back(name);
+  }
+  for (const char* name : {"roll", "left.patches.0.kalker.c11", "right.jacobian.force.y.by.yaw"}) {
+    EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
+  }
+  EXPECT_EQ(wrc_result_name(-1), nullptr);
 }
 
 TEST(CppInterface, RefusalsAreThrown) {

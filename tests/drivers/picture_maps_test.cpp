@@ -53,6 +53,13 @@ TEST(PictureMaps, PlacesAreLinearBetweenElements) {
   EXPECT_DOUBLE_EQ(fine[4 * map.columns() + 8], 6.0);
 }
 
+// Else a patch of 106 rows and 22 columns has stripes.
+TEST(PictureMaps, EachDirectionIsRefinedByItsOwnElements) {
+  const driver::RefinedMap map(106, 22);
+  EXPECT_EQ(map.rows(), 2U * 105 + 1);
+  EXPECT_EQ(map.columns(), 8U * 21 + 1);
+}
+
 // Two flange contacts among twenty on the tread do not set the scale; a value twice as large does.
 TEST(PictureMaps, AFlangeDoesNotSetTheScale) {
   std::vector<double> values;

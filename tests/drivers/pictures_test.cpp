@@ -70,6 +70,17 @@ TEST_F(CasePictures, AWheelWithoutTractionsHasNoPanelForThem) {
   EXPECT_EQ(svg.find("no tractions"), std::string::npos);
 }
 
+TEST_F(CasePictures, OneLegendServesBothWheelsAndArrowsHaveAScale) {
+  NEEDS_GNUPLOT();
+  const std::string both = drawn("--set creepage.longitudinal=0.001");
+  const std::string one = drawn("--set creepage.longitudinal=0.001 solve.side=left");
+  for (const char* text : {">rail<", ">wheel<", ">first touch<"}) {
+    EXPECT_GE(count_of(one, text), 1U) << text;
+    EXPECT_EQ(count_of(both, text), count_of(one, text)) << text;
+  }
+  EXPECT_EQ(count_of(both, ">100 MPa<"), 2U) << "beside an arrow of this length, on each wheel";
+}
+
 TEST_F(CasePictures, ANearContactUnderLoadIsReportedAsClosed) {
   const std::string place = "mm apart at first touch at s_wheel -17.73 mm";
   const Outcome loaded = run("--set pose.lateral=5 solve.accuracy=1e-2 solve.side=left");

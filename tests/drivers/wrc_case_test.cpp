@@ -164,6 +164,17 @@ TEST_F(WrcCase, TheTableListsEveryPatch) {
   EXPECT_EQ(outcome.out.find(" \n"), std::string::npos) << "blanks at the end of a line";
 }
 
+TEST_F(WrcCase, KalkerCoefficientsArePrintedOnRequest) {
+  const std::string kalker = small + two_patches + "solve.results=kalker ";
+  const Outcome table = run(kalker);
+  const std::size_t begin = table.out.find("\nKalker ");
+  ASSERT_NE(begin, std::string::npos) << table.out;
+  const std::string rows = table.out.substr(begin, table.out.find("\nPositions", begin) - begin);
+  expect_parts(rows, {"c11", "c23", "  left    1 ", "  right   0 "});
+  expect_parts(run(kalker + "--csv").out, {",patches.1.kalker.c33,", ",patches.0.kalker.c11,"});
+  EXPECT_EQ(run(small + two_patches).out.find("Kalker"), std::string::npos);
+}
+
 TEST_F(WrcCase, JsonNumbersKeepAllDigits) {
   const json result = run_json(small + "--set pose.lateral=0.1 --set pose.roll=0.0123456789012345");
   EXPECT_EQ(result.at("roll").get<double>(), 0.0123456789012345);

@@ -465,7 +465,7 @@ TEST_F(WrcSweep, RefusesBadArguments) {
   const std::string listed = run("--list-results").out;
   for (const char* name : {"left.patches.0.parts.0.pmax\n", "right.patches.0.parts.0.centroid.y\n",
                            "left.near_contacts.0.y\n", "left.patches.0.creep_force.longitudinal\n",
-                           "left.smoothed_3mm.pmax\n"}) {
+                           "left.smoothed_3mm.pmax\n", "left.patches.0.kalker.c11\n"}) {
     EXPECT_NE(listed.find(name), std::string::npos) << name;
   }
 }

@@ -117,6 +117,9 @@ contains
     call expect(found == 1, 'left.pmax is named once')
     call expect(len(scene%number_name(scene%number_count() + 1)) == 0, 'past the end')
     call expect(len(scene%number_name(0)) == 0, 'before the first')
+    call expect(len(result_name(1)) > 0, 'the first of all results')
+    call expect(len(result_name(0)) == 0, 'before all results')
+    call expect(len(result_name(100000)) == 0, 'past all results')
     found = 0
     do i = 1, scene%text_count()
       if (scene%text_name(i) == 'units') found = found + 1

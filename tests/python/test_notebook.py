@@ -149,4 +149,19 @@ def test_a_contact_that_the_end_of_a_rail_cuts_is_drawn():
         result = scene.solve()
     axes = figure_module.Figure().subplots()
     result.plot(ax=axes, panel="pressures", side="left")
-    assert axes.get_title().startswith("pmax without bound")
+    assert "without bound" in axes.get_title()
+
+
+def test_a_picture_says_what_is_not_to_be_used():
+    pytest.importorskip("matplotlib")
+    with pytest.warns(wrcontact.ContactWarning):
+        result = wrcontact.solve(rail="56E1", lateral=6.15)
+    figure = result.plot()
+    grades = [result[f"warning_grades.{i}"] for i in range(int(result["warning_count"]))]
+    text = figure._supxlabel
+    assert text.get_text().count("Do not use: left: ") == grades.count("do not use") >= 1
+    assert text.get_color() == "#c00000"
+    labels = [line.get_text() for line in figure.axes[0].get_legend().get_texts()]
+    assert labels[:3] == ["rail", "wheel", "patch 0: 51.5 kN, 108.3 mrad"] and labels[-1] == "first touch"
+    assert figure.axes[0].get_xlabel() == "track y, mm (to the left)"
+    assert wrcontact.solve(lateral=3, side="left").plot()._supxlabel is None

@@ -142,7 +142,12 @@ def test_a_result_shows_itself_and_its_names():
     assert not hasattr(result.left, "no_such_result")
     with pytest.raises(IndexError):
         result.left.patches[2]
-    assert "no patches" in repr(wrcontact.solve(vertical=461))
+    lifted = wrcontact.solve(vertical=461, side="left")
+    assert "no patches" in repr(lifted)
+    assert lifted.left.patches == lifted["left.patches"] == result.left.patches[0].parts == []
+    assert lifted.freeze().left.patches == [] and not hasattr(lifted, "right")
+    with pytest.raises(wrcontact.UnknownName):
+        lifted["left.patches.0.parts"]
     assert "geometry" not in repr(wrcontact.solve(until="geometry"))
 
 

@@ -89,6 +89,13 @@ TEST(KeyWarnings, WearNeedsCreepForces) {
   EXPECT_EQ(told(scene_with({{"solve.results", "wear"}, {"creepage.left", creepages}})), Texts{});
 }
 
+TEST(KeyWarnings, KalkerCoefficientsNeedPressures) {
+  EXPECT_EQ(told(scene_with({{"solve.results", "kalker"}, {"solve.until", "remesh"}})),
+            Texts{"solve.results: no Kalker coefficients without pressures, which solve.until = "
+                  "\"mechanics\" computes"});
+  EXPECT_EQ(told(scene_with({{"solve.results", "kalker"}, {"solve.creep", "none"}})), Texts{});
+}
+
 TEST(KeyWarnings, FrictionAndGrid) {
   const std::vector<double> places{-20.0, 0.1, 20.0, 0.4};
   const std::vector<double> grid{32.0, 32.0};
