@@ -17,8 +17,7 @@ using patch_finding::LocusSample;
 ContactRow row_between(const LocusSample<double>& from, const LocusSample<double>& to, double share,
                        double level) {
   const LocusSample<double> here = patch_finding::between(from, to, share);
-  const double penetration = std::lerp(from.penetration, to.penetration, share) +
-                             patch_finding::bulge_between(from, to) * share * (1.0 - share) - level;
+  const double penetration = patch_finding::Rise<double>(from, to).at(share) - level;
   if (!(penetration > 0.0 && here.curvature > 0.0)) {
     return {};
   }

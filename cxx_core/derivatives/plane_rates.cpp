@@ -37,7 +37,8 @@ public:
   [[nodiscard]] Place place_of(const DistanceSample& sample, double limit) const {
     const Meeting meeting = meet(sample.wheel.lateral);
     Place place = place_of(meeting, {});
-    set_values(place, sample.wheel, sample.distance, limit - sample.distance, sample.rail_slope);
+    set_values(place, sample.wheel, sample.distance, limit - sample.distance, sample.rail_slope,
+               -sample.by_y);
     return place;
   }
 
@@ -51,8 +52,9 @@ public:
       }
     }
     Place place = place_of(meeting, moves);
-    place.top = true;
-    set_values(place, contact.wheel, contact.distance, penetration, std::tan(contact.rail_angle));
+    place.steepness = 0.0;
+    set_values(place, contact.wheel, contact.distance, penetration, std::tan(contact.rail_angle),
+               0.0);
     return place;
   }
 
@@ -61,7 +63,7 @@ public:
 private:
   /// Wheel and rail at a point of the profile.
   struct Meeting {
-    ByPlace s, x, y, rail, distance, slope, curvature;
+    ByPlace s, x, y, rail, distance, slope, curvature, steepness;
     ByPlace sine; ///< of the angle from the rail's to the wheel's tangent, times a factor
   };
 
@@ -96,6 +98,7 @@ private:
     const ByPlace normal_y = sin_yaw_ * sine + cos_yaw_ * (sin_roll_ * cosine - cos_roll_ * slope);
     const ByPlace normal_z = -(sin_roll_ * slope + cos_roll_ * cosine);
     meeting.sine = normal_y + meeting.slope * normal_z;
+    meeting.steepness = meeting.sine / normal_z;
     return meeting;
   }
 
@@ -108,15 +111,9 @@ private:
       }
       return result;
     };
-    return {moved(meeting.x),
-            moved(meeting.y),
-            moved(meeting.rail),
-            moved(meeting.s),
-            -moved(meeting.distance),
-            moved(meeting.slope),
-            moved(meeting.curvature),
-            false,
-            0.0};
+    return {moved(meeting.x),         moved(meeting.y),         moved(meeting.rail),
+            moved(meeting.s),         -moved(meeting.distance), moved(meeting.slope),
+            moved(meeting.curvature), moved(meeting.steepness)};
   }
 
   /// A quantity that is the same all along the profile.
@@ -128,13 +125,14 @@ private:
 
   /// To the last bit those of the scan, so that patches are the same.
   static void set_values(Place& place, const LocusPlace& wheel, double distance, double penetration,
-                         double slope) {
+                         double slope, double steepness) {
     place.x.value = wheel.position.x;
     place.y.value = wheel.position.y;
     place.z.value = wheel.position.z - distance;
     place.s.value = wheel.lateral;
     place.penetration.value = penetration;
     place.slope.value = slope;
+    place.steepness.value = steepness;
     place.curvature.value = wheel.normal_curvature;
   }
 

@@ -92,7 +92,7 @@ inline constexpr double same_place = 1e-6;
 inline constexpr double scan_slack = 0.01;
 
 /// Samples along a ridge under yaw, at least, ...
-/// origin: reasoned: distances are a parabola there, as between any two samples.
+/// origin: reasoned: distances are a cubic there, as between any two samples.
 inline constexpr int least_ridge_samples = 8;
 
 /// ... and how far apart they are across the rail at most when the least distance is searched, mm.

@@ -354,7 +354,8 @@ std::optional<LocusSpot> SideSearch::follow(const Pose& pose, const LocusSpot& f
 
 DistanceSample SideSearch::sample(const LocusSpot& spot) const {
   const ContactCandidate whole = candidate(spot);
-  return {whole.wheel, whole.distance, std::tan(whole.rail_angle)};
+  const double rail_slope = std::tan(whole.rail_angle);
+  return {whole.wheel, whole.distance, rail_slope, 0.0, 0.0, whole.wheel.slope() - rail_slope};
 }
 
 /// The points of a ridge between those of its flanks.
@@ -368,7 +369,8 @@ void SideSearch::add_ridge(const Ridge& ridge, std::vector<DistanceSample>& samp
     const LocusPoint place = wheel_.locus(edge, pose_.angle_at(edge.slope(), exists), pose_);
     if (exists && rail_.covers(place.position.y)) {
       const HeightPoint rail = rail_.at(place.position.y);
-      samples.push_back({place, place.position.z - rail.height, rail.slope});
+      samples.push_back({place, place.position.z - rail.height, rail.slope, 0.0, 0.0,
+                         place.slope() - rail.slope});
     }
   }
 }
@@ -391,11 +393,15 @@ std::vector<DistanceSample> SideSearch::samples() const {
     }
     if (scan_.over_rail(node)) {
       const double slope = nodes.slope[node];
+      const double rail_slope = scan_.rail_slope(node);
       const double rho = wheel_.radius() + nodes.height[node];
       samples.push_back({{scan_.position(node), nodes.lateral[node],
                           1.0 / (rho * std::sqrt(1.0 + slope * slope))},
                          scan_.distance(node),
-                         scan_.rail_slope(node)});
+                         rail_slope,
+                         0.0,
+                         0.0,
+                         pose_.slope_at(slope) - rail_slope});
     }
   }
   return samples;

@@ -43,6 +43,7 @@ struct DistanceSample {
   double rail_slope = 0.0; ///< tangent of the rail's angle about x
   double rail_rise = 0.0;  ///< slope along the track, of a rail that varies
   double ahead = 0.0;      ///< as of ContactCandidate
+  double by_y = 0.0;       ///< derivative of the distance, along the locus as at its x
 
   [[nodiscard]] double rail_angle() const { return std::atan(rail_slope); }
 };

@@ -383,7 +383,9 @@ DistanceSample VaryingSearch::sample(const Spot& spot, bool is_near) {
        std::max(spot.point.gap.xx, least_valley_curvature)}, // where a body ends, any
       spot.point.gap.value,
       rail.y,
-      rail.x};
+      rail.x,
+      0.0,
+      spot.point.gap.y};
   if (!is_near || spot.at_end) {
     return result;
   }

@@ -49,6 +49,8 @@ struct LocusPoint : LocusPlace {
   double tangent_z = 0.0;
   double height = 0.0;      ///< w on the wheel profile
   double wheel_angle = 0.0; ///< t, rad, positive ahead of the axle
+
+  [[nodiscard]] double slope() const { return tangent_z / tangent_y; }
 };
 
 /// The angle t of the locus.
@@ -69,6 +71,14 @@ struct LocusPose {
     exists = square > 0.0;
     const double root = std::sqrt(exists ? square : 0.0);
     return {(a * c + b * root) * inverse_square, (a * root - b * c) * inverse_square};
+  }
+
+  /// dz/dy of the wheel there, at a place x.
+  [[nodiscard]] double slope_at(double slope) const {
+    bool exists = false;
+    const LocusAngle angle = angle_at(slope, exists);
+    const Vector3 normal = rotation.to_track({angle.sine, -slope, -angle.cosine});
+    return -normal.y / normal.z;
   }
 
   Rotation rotation;

@@ -83,7 +83,7 @@ inline constexpr int depth_iterations = 400;
 /// origin: bound: about twice the height of a flange.
 inline constexpr double max_depth = 50.0;
 
-/// Room around a patch's penetration, as a fraction of it: the scan finds its ends by parabolas
+/// Room around a patch's penetration, as a fraction of it: the scan finds its ends by cubics
 /// between nodes only.
 /// origin: reasoned: the ends are off by less than a per cent of it; the rest keeps contact off
 /// the edge.
@@ -92,5 +92,17 @@ inline constexpr double penetration_margin = 0.05;
 /// The width that every potential contact area has, over its length.
 /// origin: bound: less than an element; penetration at a single point of the scan has none.
 inline constexpr double least_width_over_length = 1e-3;
+
+/// Largest slope at either end of a cubic, over its mean slope.
+/// origin: published (F. N. Fritsch, R. E. Carlson, SIAM Journal on Numerical Analysis 17, 1980):
+/// no monotone cubic has more.
+inline constexpr double steepest_monotone = 4.0;
+
+/// Last relative step of Newton's method to a level on a cubic, ...
+/// origin: derived: rounding.
+inline constexpr double way_down_tolerance = 1e-14;
+
+/// ... and the most steps. origin: bound: of halving an interval, to rounding.
+inline constexpr int most_way_down_steps = 60;
 
 } // namespace wrc

@@ -30,8 +30,7 @@ public:
             limit - sample.distance,
             sample.rail_slope,
             sample.wheel.normal_curvature,
-            false,
-            0.0,
+            -sample.by_y,
             0.0,
             sample.rail_rise,
             sample.ahead};
@@ -45,7 +44,6 @@ public:
             penetration,
             std::tan(contact.rail_angle),
             contact.wheel.normal_curvature,
-            true,
             0.0,
             0.0,
             contact.rail_rise,

@@ -42,12 +42,14 @@
 /// that turn at least that far towards each other, which for two is angle = own + turn (mean of
 /// both - own).
 ///
-/// Between nodes of the scan penetration is a parabola: next to a local maximum with its top there,
-/// elsewhere with the curvature of the nodes around. The top is the candidate of the scan that lies
-/// there. Integrals by Simpson's rule. Everything is thus continuous in the depth, except for how
-/// a patch just born between two others changes their coupling weight, and has a limit for depth
-/// -> 0. Units mm and rad; track frame, left-hand side (geometry/frames.hpp). Thread rule: pure
-/// functions. Not known here: elasticity.
+/// Between nodes of the scan and its locally least distances, the tops, penetration is a cubic with
+/// their slopes. Integrals by Simpson's rule. Everything is thus continuous in the depth, except
+/// for how a patch just born between two others changes their coupling weight, and has a limit for
+/// depth
+/// -> 0. It is so in the position, too, except for what a cubic leaves where a top appears between
+/// two nodes: forces step by up to 2e-5 of the load where the rail's curvature jumps there. Units
+/// mm and rad; track frame, left-hand side (geometry/frames.hpp). Thread rule: pure functions. Not
+/// known here: elasticity.
 #pragma once
 
 #include <span>

@@ -1,8 +1,9 @@
 /// Samples of the contact locus where wheel and rail may interpenetrate.
 ///
 /// Nodes of the scan and its locally least distances: tops, which are known more accurately than
-/// from nodes. Penetration between two samples is a parabola. For plain numbers and for numbers
-/// with rates (base/value_with_rates.hpp). Units mm and rad; track frame, left-hand side
+/// from nodes. Between two samples penetration is a cubic with their slopes, so that hardly
+/// anything changes where a top appears or vanishes. For plain numbers and for numbers with rates
+/// (base/value_with_rates.hpp). Units mm and rad; track frame, left-hand side
 /// (geometry/frames.hpp). Thread rule: one object, one thread.
 #pragma once
 
@@ -35,8 +36,7 @@ template <class Real> struct LocusSample {
   Real penetration;      ///< vertical, < 0 outside
   Real slope;            ///< of the rail
   Real curvature;        ///< of the wheel in rolling direction; LocusSampler: along the rail
-  bool top;              ///< a local maximum: a parabola to both sides
-  Real second = 0.0;     ///< derivative of the penetration
+  Real steepness = 0.0;  ///< derivative of the penetration by y; 0 of a local maximum
   Real slope_rate = 0.0; ///< of the rail's slope, by y
   Real rise = 0.0;       ///< slope of the rail along the track
   Real ahead = 0.0;      ///< of where a round wheel is nearest on a prismatic rail
@@ -55,33 +55,66 @@ void turn_curvature(const LocusSample<Real>& before, LocusSample<Real>& here,
   }
 }
 
-/// By how much penetration half way between two points exceeds their mean, times four: that of a
-/// parabola with the lesser curvature of the two, without a maximum in between.
-template <class Real>
-Real bulge_between(const LocusSample<Real>& from, const LocusSample<Real>& to) {
-  const Real drop = abs(to.penetration - from.penetration);
-  if (from.top || to.top) {
-    return drop;
+/// Penetration between two samples: the cubic that has their slopes, as far as these are those of
+/// one without a top or a valley in between.
+template <class Real> class Rise {
+public:
+  Rise(const LocusSample<Real>& begin, const LocusSample<Real>& end)
+      : from_(begin.penetration), rise_(end.penetration - begin.penetration) {
+    const Real length = end.y - begin.y;
+    const Real first = monotone(begin.steepness * length);
+    const Real last = monotone(end.steepness * length);
+    bulge_ = 0.5 * (first - last);
+    skew_ = 0.5 * (first + last) - rise_;
   }
-  if (from.second * to.second <= 0.0) {
-    return 0.0;
+
+  /// At a fraction of the way.
+  [[nodiscard]] Real at(const Real& share) const {
+    return from_ + share * (rise_ + (1.0 - share) * (bulge_ + skew_ * (1.0 - 2.0 * share)));
   }
-  const Real second = abs(from.second) < abs(to.second) ? from.second : to.second;
-  const Real length = to.y - from.y;
-  return std::clamp(-0.5 * length * length * second, -drop, drop);
-}
+  /// The fraction of the way at which penetration falls to a level that lies between its ends, of
+  /// which the first is the higher one.
+  [[nodiscard]] Real way_down(const Real& level) const {
+    const Real above = from_ - level;
+    if (!(above > 0.0)) {
+      return 0.0;
+    }
+    // Along the parabola of the higher end, from there by Newton's method within bounds.
+    const Real down = -(rise_ + bulge_ + skew_);
+    const Real bend = bulge_ + 3.0 * skew_;
+    Real share = std::min<Real>(
+        2.0 * above / (down + sqrt(std::max<Real>(down * down + 4.0 * bend * above, 0.0))), 1.0);
+    Real low = 0.0;
+    Real high = 1.0;
+    for (int step = 0; step < most_way_down_steps; ++step) {
+      const Real excess = at(share) - level;
+      (excess > 0.0 ? low : high) = share;
+      const Real slope = rise_ + (1.0 - 2.0 * share) * (bulge_ + skew_ * (1.0 - 2.0 * share)) -
+                         2.0 * share * (1.0 - share) * skew_;
+      const Real by_newton = share - excess / slope;
+      const Real next = by_newton > low && by_newton < high ? by_newton : 0.5 * (low + high);
+      const bool settled = abs(next - share) <= way_down_tolerance * share;
+      share = next;
+      if (settled) {
+        break;
+      }
+    }
+    return share;
+  }
 
-/// The fraction of the way from one point to a lower one at which penetration falls to a level:
-/// root of higher - drop t + bulge t (1 - t) = level.
-template <class Real>
-Real way_down(const LocusSample<Real>& higher, const LocusSample<Real>& lower, const Real& bulge,
-              const Real& level) {
-  const Real above = higher.penetration - level;
-  const Real slope = higher.penetration - lower.penetration - bulge;
-  return 2.0 * above / (slope + sqrt(std::max(slope * slope + 4.0 * bulge * above, Real(0.0))));
-}
+private:
+  [[nodiscard]] Real monotone(const Real& slope) const {
+    const Real steepest = steepest_monotone * rise_;
+    return std::clamp<Real>(slope, std::min<Real>(steepest, 0.0), std::max<Real>(steepest, 0.0));
+  }
 
-/// Between two points; penetration and top are left to the caller.
+  Real from_;
+  Real rise_;
+  Real bulge_; ///< by how much half way exceeds the mean, times four
+  Real skew_;  ///< what changes the bulge's sides from end to end
+};
+
+/// Between two points; the penetration is left to the caller.
 template <class Real>
 LocusSample<Real> between(const LocusSample<Real>& from, const LocusSample<Real>& to,
                           const Real& share) {
@@ -94,25 +127,16 @@ LocusSample<Real> between(const LocusSample<Real>& from, const LocusSample<Real>
           Real(0.0),
           mix(from.slope, to.slope),
           mix(from.curvature, to.curvature),
-          false,
-          Real(0.0),
+          mix(from.steepness, to.steepness),
           mix(from.slope_rate, to.slope_rate),
           mix(from.rise, to.rise),
           mix(from.ahead, to.ahead)};
 }
 
-/// Derivatives by differences.
+/// By differences.
 template <class Real>
-void set_derivatives(const LocusSample<Real>& before, LocusSample<Real>& here,
-                     const LocusSample<Real>& after) {
-  const Real length_before = here.y - before.y;
-  const Real length_after = after.y - here.y;
-  if (length_before > 0.0 && length_after > 0.0) {
-    here.second = 2.0 *
-                  ((after.penetration - here.penetration) / length_after -
-                   (here.penetration - before.penetration) / length_before) /
-                  (length_before + length_after);
-  }
+void set_slope_rate(const LocusSample<Real>& before, LocusSample<Real>& here,
+                    const LocusSample<Real>& after) {
   const Real length = after.y - before.y;
   if (abs(length) > same_place) {
     here.slope_rate = (after.slope - before.slope) / length;
@@ -235,7 +259,7 @@ private:
     for (std::size_t i = from; i < places_.size(); ++i) {
       const LocusSample<Real>& before = places_[std::max(i, from + 1) - 1];
       const LocusSample<Real>& after = places_[std::min(i + 1, places_.size() - 1)];
-      set_derivatives(before, places_[i], after);
+      set_slope_rate(before, places_[i], after);
       turn_curvature<Real>(before, places_[i], after, source_.yaw_tangent());
     }
   }

@@ -161,7 +161,7 @@ private:
         return here;
       }
       const LocusSample<Real>& beyond = places_[outside];
-      return between(here, beyond, way_down(here, beyond, bulge_between(here, beyond), level));
+      return between(here, beyond, Rise<Real>(here, beyond).way_down(level));
     };
     std::size_t first = lobe.first_place;
     while (first < lobe.last_place && places_[first].penetration < level) {

@@ -135,7 +135,7 @@ private:
   Moments<Real> density(const LocusSample<Real>& place, const Partner& partner,
                         Lobe<Real>& lobe) const {
     if (!(place.penetration > 0.0)) {
-      return {}; // an end, or where the parabola between two ends dips out of the rail
+      return {}; // an end, or where the cubic between two ends dips out of the rail
     }
     const Real reach = sqrt(partner.overlap / place.curvature);
     const Real half_length = std::numbers::sqrt2 * reach;
@@ -170,10 +170,8 @@ private:
   }
 
   /// Simpson's rule from where the last one ended.
-  void add_to_lobe(const LocusSample<Real>& from, const LocusSample<Real>& to, const Real& bulge) {
+  void add_to_lobe(const LocusSample<Real>& middle, const LocusSample<Real>& to) {
     Lobe<Real>& lobe = lobes_.back();
-    LocusSample<Real> middle = between(from, to, Real(0.5));
-    middle.penetration = 0.5 * (from.penetration + to.penetration) + 0.25 * bulge;
     const Partner end_partner = partner_of(to);
     const Moments<Real> end = density(to, end_partner, lobe);
     const Real length = abs(end_partner.y - begin_partner_.y);
@@ -199,20 +197,21 @@ private:
       }
       LocusSample<Real> from = places_[i];
       LocusSample<Real> to = places_[i + 1];
-      Real bulge = bulge_between(from, to);
       const bool rising = to.penetration > from.penetration;
-      bool ends = false;
+      const bool ends = from.penetration > 0.0 && to.penetration <= 0.0;
+      Real first = 0.0;
+      Real last = 1.0;
       if (from.penetration <= 0.0) {
-        const Real share = way_down(to, from, bulge, Real(0.0));
-        from = between(to, from, share);
-        bulge *= share * share;
+        first = 1.0 - Rise<Real>(to, from).way_down(Real(0.0));
+        from = between(places_[i], to, first);
         open = false;
-      } else if (to.penetration <= 0.0) {
-        const Real share = way_down(from, to, bulge, Real(0.0));
-        to = between(from, to, share);
-        bulge *= share * share;
-        ends = true;
+      } else if (ends) {
+        last = Rise<Real>(from, to).way_down(Real(0.0));
+        to = between(from, to, last);
       }
+      const Real half = 0.5 * (first + last);
+      LocusSample<Real> middle = between(places_[i], places_[i + 1], half);
+      middle.penetration = Rise<Real>(places_[i], places_[i + 1]).at(half);
       if (!open) {
         falling = false;
         begin_lobe(i, from);
@@ -220,7 +219,7 @@ private:
         lobes_.back().penetration_next = from.penetration;
         begin_lobe(i, from);
       }
-      add_to_lobe(from, to, bulge);
+      add_to_lobe(middle, to);
       lobes_.back().last_place = i + 1;
       open = !ends;
       falling = to.penetration < from.penetration || (falling && !rising);

@@ -2,7 +2,7 @@
 ///
 /// The planes are those of the patches of penetration (patches/contact_patches.hpp). A grid spans a
 /// patch's penetration with a little room, within its lateral limits: contact cannot leave the
-/// penetration, whose ends the scan knows by parabolas between its nodes. Along a curve its width
+/// penetration, whose ends the scan knows by cubics between its nodes. Along a curve its width
 /// is that of the arc. In the vertical convention all patches near the main one have one plane and
 /// grid. Units mm and rad; left-hand frame of the side. Thread rule: pure functions.
 #pragma once

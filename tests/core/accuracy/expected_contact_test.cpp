@@ -22,10 +22,12 @@ template <class Penetration> std::vector<Sample> samples_of(const Penetration& p
     Sample& sample = samples.emplace_back();
     sample.y = 0.5 * i;
     sample.penetration = penetration(sample.y);
+    constexpr double near = 1e-5;
+    sample.steepness = (penetration(sample.y + near) - penetration(sample.y - near)) / (2.0 * near);
     sample.curvature = 1.0 / 460.0;
   }
   for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
-    set_derivatives(samples[i - 1], samples[i], samples[i + 1]);
+    set_slope_rate(samples[i - 1], samples[i], samples[i + 1]);
   }
   return samples;
 }

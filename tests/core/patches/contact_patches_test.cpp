@@ -48,7 +48,13 @@ ContactScan made_up(const std::function<double(double)>& distance,
                     const std::function<double(double)>& slope, double spacing = 0.4) {
   ContactScan scan;
   for (double y = 0.0; y <= 40.0; y += spacing) {
-    scan.samples.push_back({{{0.0, y, 0.0}, y, 1.0 / wheel_radius}, distance(y), slope(y)});
+    constexpr double near = 1e-5;
+    scan.samples.push_back({{{0.0, y, 0.0}, y, 1.0 / wheel_radius},
+                            distance(y),
+                            slope(y),
+                            0.0,
+                            0.0,
+                            (distance(y + near) - distance(y - near)) / (2.0 * near)});
   }
   const auto nearest =
       std::min_element(scan.samples.begin(), scan.samples.end(),

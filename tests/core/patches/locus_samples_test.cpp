@@ -1,4 +1,4 @@
-// Samples of the contact locus: parabolas between them, derivatives, tops and stretches.
+// Samples of the contact locus: cubics between them, tops and stretches.
 #include "patches/locus_samples.hpp"
 
 #include <algorithm>
@@ -18,70 +18,69 @@ namespace {
 
 using Sample = patch_finding::LocusSample<double>;
 
-Sample sample_at(double y, double penetration, bool top = false) {
+Sample sample_at(double y, double penetration, double steepness = 0.0) {
   Sample sample{};
   sample.y = y;
   sample.s = y;
   sample.penetration = penetration;
+  sample.steepness = steepness;
   sample.curvature = 1.0 / 460.0;
-  sample.top = top;
   return sample;
 }
 
-/// A parabola c y^2 + b y + a has one second derivative, and its bulge is exact; so is the rate of
-/// a slope that grows evenly.
-TEST(LocusSamples, DerivativesAndBulgeOfAParabolaAreExact) {
-  constexpr double a = 0.1;
-  constexpr double b = 0.05;
-  constexpr double c = -0.004;
-  constexpr double slope_rate = -0.003;
+/// A cubic without a top in between is met everywhere, in both directions.
+TEST(LocusSamples, PenetrationBetweenThemIsACubic) {
   const auto at = [](double y) {
-    Sample sample = sample_at(y, a + b * y + c * y * y);
-    sample.slope = 0.1 + slope_rate * y;
-    return sample;
+    return sample_at(y, 0.1 - 0.05 * y - 0.004 * y * y + 0.001 * y * y * y,
+                     -0.05 - 0.008 * y + 0.003 * y * y);
   };
-  std::vector<Sample> samples{at(0.0), at(0.7), at(1.9), at(2.4)};
-  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
-    patch_finding::set_derivatives(samples[i - 1], samples[i], samples[i + 1]);
-    EXPECT_NEAR(samples[i].second, 2.0 * c, 1e-14);
-    EXPECT_NEAR(samples[i].slope_rate, slope_rate, 1e-14);
-  }
-  const double bulge = patch_finding::bulge_between(samples[1], samples[2]);
-  const double middle = at(1.3).penetration;
-  EXPECT_NEAR(0.25 * bulge, middle - 0.5 * (samples[1].penetration + samples[2].penetration),
-              1e-14);
-}
-
-/// The way down along a parabola ends where it crosses the level.
-TEST(LocusSamples, DescentEndsAtTheGivenLevel) {
-  const Sample higher = sample_at(0.0, 0.3);
-  const Sample lower = sample_at(2.0, -0.2);
-  for (const double bulge : {-0.2, 0.0, 0.1, 0.3}) {
-    for (const double level : {0.0, 0.1, -0.15}) {
-      const double t = patch_finding::way_down(higher, lower, bulge, level);
-      EXPECT_GT(t, 0.0);
-      EXPECT_LT(t, 1.0);
-      EXPECT_NEAR(0.3 - 0.5 * t + bulge * t * (1.0 - t), level, 1e-14) << bulge << ' ' << level;
+  const patch_finding::Rise<double> down(at(0.7), at(1.9));
+  const patch_finding::Rise<double> up(at(1.9), at(0.7));
+  for (const double share : {0.0, 0.1, 0.5, 0.8, 1.0}) {
+    EXPECT_NEAR(down.at(share), at(0.7 + 1.2 * share).penetration, 1e-15);
+    EXPECT_NEAR(up.at(share), at(1.9 - 1.2 * share).penetration, 1e-15);
+    if (share > 0.0) {
+      EXPECT_NEAR(down.way_down(at(0.7 + 1.2 * share).penetration), share, 1e-9);
     }
   }
 }
 
-/// A top is where its parabola is level: penetration falls to both sides by the square.
-TEST(LocusSamples, TheParabolaBesideATopStartsLevel) {
-  const Sample top = sample_at(0.0, 0.3, true);
-  const Sample beside = sample_at(1.0, 0.1);
-  EXPECT_NEAR(patch_finding::bulge_between(top, beside), 0.2, 1e-15);
-  // 0.3 - 0.2 t^2 = 0.25
-  EXPECT_NEAR(patch_finding::way_down(top, beside, 0.2, 0.25), 0.5, 1e-14);
+/// A slope that grows evenly has this rate.
+TEST(LocusSamples, RatesOfSlopesAreExact) {
+  constexpr double rate = -0.003;
+  std::array<Sample, 3> samples{sample_at(0.0, 0.1), sample_at(0.7, 0.1), sample_at(1.9, 0.1)};
+  for (Sample& sample : samples) {
+    sample.slope = 0.1 + rate * sample.y;
+  }
+  patch_finding::set_slope_rate(samples[0], samples[1], samples[2]);
+  EXPECT_NEAR(samples[1].slope_rate, rate, 1e-14);
 }
 
-TEST(LocusSamples, ABulgeAddsNoTop) {
-  Sample from = sample_at(0.0, 0.10);
-  Sample to = sample_at(3.0, 0.11);
-  from.second = to.second = -1.0;
-  EXPECT_DOUBLE_EQ(patch_finding::bulge_between(from, to), 0.11 - 0.10);
-  to.second = 1.0; // a turning point lies between
-  EXPECT_EQ(patch_finding::bulge_between(from, to), 0.0);
+/// From a top penetration falls by the square: 0.3 - 0.2 t^2 = 0.25.
+TEST(LocusSamples, TheParabolaBesideATopStartsLevel) {
+  const patch_finding::Rise<double> rise(sample_at(0.0, 0.3), sample_at(1.0, 0.1, -0.4));
+  EXPECT_NEAR(rise.at(0.5), 0.25, 1e-15);
+  EXPECT_NEAR(rise.way_down(0.25), 0.5, 1e-14);
+}
+
+/// Slopes of a kink, or of a body's end, make no top and no valley.
+TEST(LocusSamples, NothingBetweenTwoIsOutsideThem) {
+  for (const double first : {-1e300, -0.3, 0.0, 1.0, 1e300}) {
+    for (const double last : {-1e300, -0.3, 0.0, 1.0, 1e300}) {
+      const patch_finding::Rise<double> rise(sample_at(0.0, 0.11, first),
+                                             sample_at(3.0, 0.10, last));
+      for (double share = 0.0; share <= 1.0; share += 0.01) {
+        // Two slopes of four times the mean leave it by a tenth of the difference.
+        EXPECT_GE(rise.at(share), 0.10 - 0.002) << first << ' ' << last;
+        EXPECT_LE(rise.at(share), 0.11 + 0.002) << first << ' ' << last;
+      }
+      for (const double level : {0.1, 0.103, 0.11}) {
+        const double way = rise.way_down(level);
+        EXPECT_GE(way, 0.0);
+        EXPECT_LE(way, 1.0);
+      }
+    }
+  }
 }
 
 /// z = x'^2/(2 R) + f(y'), turned by the yaw: on the locus the second derivative along x is
@@ -99,6 +98,9 @@ TEST(LocusSamples, CurvatureIsTurnedWithTheLocus) {
   EXPECT_NEAR(here.curvature, curvature / (1.0 + yaw_tangent * yaw_tangent), 1e-15);
 }
 
+/// Of a top, to know it by.
+constexpr double top_mark = 1.0;
+
 /// Penetration by a made-up distance, and the places as they are.
 struct Source {
   using Real = double;
@@ -106,7 +108,9 @@ struct Source {
     return sample_at(sample.wheel.position.y, limit - sample.distance);
   }
   [[nodiscard]] Sample place_of(const ContactCandidate& contact, double penetration) const {
-    return sample_at(contact.wheel.position.y, penetration, true);
+    Sample top = sample_at(contact.wheel.position.y, penetration);
+    top.ahead = top_mark;
+    return top;
   }
   [[nodiscard]] double yaw_tangent() const { return 0.0; }
 };
@@ -132,7 +136,7 @@ TEST(LocusSamples, CoverThePenetratingStretchesAndTheirTops) {
   EXPECT_EQ(samples[sampler.first_contact()].penetration, depth);
   std::size_t tops = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    tops += samples[i].top ? 1U : 0U;
+    tops += samples[i].ahead == top_mark ? 1U : 0U;
     EXPECT_LE(samples[i].penetration, depth);
     if (i > 0) {
       EXPECT_GT(samples[i].y, samples[i - 1].y);
@@ -146,7 +150,7 @@ TEST(LocusSamples, CoverThePenetratingStretchesAndTheirTops) {
   }
   std::size_t found = 0;
   for (const Sample& sample : samples) {
-    found += !sample.top && sample.penetration > 0.0 ? 1U : 0U;
+    found += sample.ahead != top_mark && sample.penetration > 0.0 ? 1U : 0U;
   }
   EXPECT_EQ(found, penetrating);
   EXPECT_LE(samples.front().penetration, 0.0);

@@ -14,7 +14,7 @@ using Lobe = patch_finding::Lobe<double>;
 
 constexpr double curvature = 1.0 / 460.0;
 
-/// Of a penetration over y, with samples `step` apart; the deepest one is a top.
+/// Of a penetration over y, with samples `step` apart.
 template <class Penetration>
 std::vector<Sample> samples_of(double first, double last, double step, double slope,
                                const Penetration& penetration) {
@@ -27,11 +27,13 @@ std::vector<Sample> samples_of(double first, double last, double step, double sl
     sample.slope = slope;
     sample.z = slope * y;
     sample.penetration = penetration(y);
+    constexpr double near = 1e-5;
+    sample.steepness = (penetration(y + near) - penetration(y - near)) / (2.0 * near);
     sample.curvature = curvature;
     samples.push_back(sample);
   }
   for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
-    patch_finding::set_derivatives(samples[i - 1], samples[i], samples[i + 1]);
+    patch_finding::set_slope_rate(samples[i - 1], samples[i], samples[i + 1]);
   }
   return samples;
 }

@@ -85,8 +85,7 @@ TEST(PatchCoefficients, OfWheelsAreWithin4PercentAtAnAccuracyOf1e3) {
     const auto exact = numbers(coefficients_at(lateral, 1e-4));
     const auto found = numbers(coefficients_at(lateral, 1e-3));
     for (std::size_t i = 0; i < exact.size(); ++i) {
-      EXPECT_NEAR(found[i] / exact[i], 1.0, i == 3 ? 0.036 : 0.02)
-          << "y = " << lateral << ", " << i;
+      EXPECT_NEAR(found[i] / exact[i], 1.0, i == 3 ? 0.04 : 0.02) << "y = " << lateral << ", " << i;
     }
   }
 }

@@ -190,7 +190,7 @@ TEST(SolveScene, ARailThatPullsIsNotConverged) {
   Scene scene;
   scene.left.rail.name = scene.right.rail.name = "54E1";
   scene.lateral = -7.0;
-  scene.right.load = 2e7;
+  scene.right.load = 4e7;
   scene.accuracy = 1e-2;
   scene.side = SideChoice::right;
   SceneResult result = solve_scene(scene);

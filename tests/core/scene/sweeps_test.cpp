@@ -107,6 +107,33 @@ Scene scene_of(const std::string& wheel, const std::string& rail) {
   return scene;
 }
 
+/// Where a second lobe of penetration appears or vanishes: steps of 0.1 um of S1002.
+struct Birth {
+  std::string rail;
+  double lateral;
+};
+
+// Element sizes follow the penetration, whose samples changed with each lobe: the lateral force
+// stepped by 1.9, 5.5, 6 and 30 N.
+TEST(LateralSweep, ForcesDoNotStepWhereALobeAppears) {
+  for (const Birth& birth : {Birth{"60E1", 0.2605}, Birth{"54E2", 3.2378}, Birth{"54E2", -1.9954},
+                             Birth{"50E6", 2.3490}}) {
+    Scene scene = two_lobes(birth.rail, true);
+    scene.accuracy = 1e-2;
+    scene.accuracy_of = AccuracyOf::forces;
+    SceneSolver solver;
+    std::array<double, 3> forces{};
+    for (int i = 0; i < 60; ++i) {
+      scene.lateral = birth.lateral + 1e-4 * (i - 30);
+      forces = {forces[1], forces[2], solver.solve(scene).left->force.y};
+      if (i >= 2) {
+        EXPECT_NEAR(forces[0] - 2.0 * forces[1] + forces[2], 0.0, 4e-6 * scene.left.load)
+            << birth.rail << ' ' << scene.lateral;
+      }
+    }
+  }
+}
+
 class LateralSweep : public testing::TestWithParam<std::pair<std::string, std::string>> {};
 
 TEST_P(LateralSweep, FailsNowhere) {
@@ -132,7 +159,7 @@ TEST_P(LateralSweep, FailsNowhere) {
   // Four ridges that a curvature jump of the profiles presses into the rail; the others are
   // contacts that end on a sharper arc, which leaves moments uncertain by up to 1.2 times the
   // accuracy.
-  EXPECT_LE(not_reached, 16);
+  EXPECT_LE(not_reached, 18);
   // A coarse one and the final one, more on steep contacts and where errors were underestimated.
   EXPECT_LE(solutions, 2.5 * 2 * (2 * half_count + 1));
 }
