@@ -144,6 +144,14 @@ inline constexpr double smoothed_noise = 0.05;
 /// What the misfit of the arm from which rolling radii follow is over, mm.
 /// origin: measured (likewise): it is noisy by 0.001 mm on the tread, by the noise above over this.
 inline constexpr double smoothed_arm = 0.4;
+/// What that of the longitudinal force by spin is over, in lateral forces by spin.
+/// origin: reasoned: an ellipse has no such force, so up to a fifth of the lateral one is noise.
+inline constexpr double smoothed_cross = 4.0;
+
+/// Lateral force of the spin over friction times load below which the fit leaves it as it is.
+/// origin: reasoned: accuracy of the solutions is a tenth of that; less has no factor but noise.
+inline constexpr double least_spin_force = 0.01;
+
 // Files of tables and of unfinished ones (table_file.cpp, finished_tasks.cpp).
 
 /// Bytes of a file and of a name in it, and nodes of one variable.
@@ -157,6 +165,16 @@ inline constexpr std::size_t most_table_nodes = 1U << 16U;
 /// of a table's numbers in single precision.
 inline constexpr int most_table_iterations = 30;
 inline constexpr double load_share_met = 1e-7;
+
+/// The start of an equilibrium: steps of differences, mm and rad; the largest changes of height and
+/// roll at once; and the depth, over that of the largest load, at which it is near enough.
+/// origin: bound: far above rounding and far below contact's size; wheels stay within their
+/// profiles; and Newton's method on forces goes on from there.
+inline constexpr double depth_step = 1e-4;
+inline constexpr double roll_step = 1e-7;
+inline constexpr double largest_height_change = 5.0;
+inline constexpr double largest_roll_change = 0.01;
+inline constexpr double depth_met = 1e-3;
 
 /// Vertices of a map of errors, each of some ten numbers.
 /// origin: bound: of memory.

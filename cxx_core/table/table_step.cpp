@@ -251,7 +251,8 @@ int put_outputs(const ContactTable& table, const TableContact& contact, const Sc
   if (exact != nullptr) {
     const WheelOutputs found = outputs_of(*exact);
     for (std::size_t i = 0; i < output_count; ++i) {
-      outputs[i] = (1.0 - share) * outputs[i] + share * found[i];
+      outputs[i] = wheel_outputs[i].is_flag ? (share > 0.5 ? found[i] : outputs[i])
+                                            : (1.0 - share) * outputs[i] + share * found[i];
     }
   }
   for (std::size_t i = 0; i < output_count; ++i) {

@@ -298,6 +298,26 @@ ContactTable half_exact_table() {
   return table;
 }
 
+/// A fraction would be no state.
+TEST(TableStep, IsOnTheFlangeTipOrNotByTheLargerPart) {
+  ContactTable table = half_exact_table();
+  std::vector<float>& numbers = table.places.coefficients();
+  for (std::size_t i = static_cast<std::size_t>(PlacePart::tip); i < numbers.size();
+       i += place_part_count) {
+    numbers[i] = 1.0F; // as the exact solution is not
+  }
+  const Scene scene = scene_of_small_table();
+  SceneSolver solver;
+  const ExactAnswer exact{scene, solver};
+  VehicleState state = running_state();
+  for (const auto& [lateral, on_tip] : {std::pair(-0.4, 1.0), std::pair(-0.1, 0.0)}) {
+    state.position[1] = lateral;
+    const TableStep found = step_in_table(table, state, &exact, true);
+    EXPECT_EQ(found.wheels[0].state & exact_solution, exact_solution);
+    EXPECT_EQ(found.outputs[0][output_count - 1], on_tip);
+  }
+}
+
 /// Between exact cells and others, forces go over with a continuous slope.
 TEST(TableStep, BlendsTheExactSolutionIn) {
   const ContactTable table = half_exact_table();
