@@ -112,6 +112,13 @@
 !        of the table. SOLVER and SCENE for the exact solution, or both
 !        0; ERRORS(2): how far the force of each wheel may be off, over
 !        its vertical force; ISTATE(2): 16 solved exactly
+!   WRCTVO(CTABLE, SOLVER, SCENE, Q, V, IOPT, OPT, F, DFDQ, DFDV, DFDR,
+!          DFDW, ERRORS, XLIKEL, OUT, OUTERR, ISTATE, IERR)
+!        WRCTVX with likely errors and outputs: XLIKEL(2,2), the errors
+!        of force and derivatives that 99 of 100 keep; OUT(8,2), wear
+!        number, t and s, angle and radius at the centre of pressure,
+!        normal forces of tread and flange, 1 on the flange tip; and
+!        OUTERR(8,2), their likely errors
 !
 !   WRCNUM(HANDLE, NAME, VALUE, IERR)      result of a scene or contact
 !   WRCTXT(HANDLE, NAME, TEXT, IERR)       a text of a scene, profile or
@@ -301,6 +308,39 @@ contains
       wanted = taken(iopt(1 + (i - 1)*width/4), width) .eq. 1
     end function wanted
   end function more_arguments
+
+  ! WRCTVX, and with the last three WRCTVO.
+  subroutine step_by_table(ctable, solver, scene, q, v, iopt, opt, f, dfdq, dfdv, dfdr, dfdw, errors, istate, ierr, &
+    likely, outputs, output_errors)
+    integer(c_int64_t), intent(in) :: ctable, solver, scene
+    real(c_double), intent(in) :: q(6), v(6)
+    integer(c_int32_t), intent(in) :: iopt(*)
+    real(c_double), intent(in), target :: opt(15)
+    real(c_double), intent(inout) :: f(6,2), errors(2)
+    real(c_double), intent(inout), target :: dfdq(*), dfdv(*), dfdr(*), dfdw(*)
+    integer(c_int32_t), intent(inout) :: istate(*), ierr(*)
+    real(c_double), intent(inout), target, optional :: likely(2,2), outputs(8,2), output_errors(8,2)
+    integer(c_int32_t), target :: states(2)
+    type(wrc_step_arguments) :: arguments
+    type(c_ptr) :: address, with, posed
+    integer(c_int32_t) :: status
+    integer :: kind, width
+    call look(ctable, table_mark, address, kind, width, status)
+    with = c_null_ptr
+    posed = c_null_ptr
+    if (solver .ne. 0) call look_also(solver, width, with, status)
+    if (scene .ne. 0) call look_also(scene, width, posed, status)
+    if (status .eq. 0) then
+      states = 0
+      arguments = more_arguments(iopt, opt, dfdq, dfdv, dfdr, dfdw, states, width)
+      if (present(likely)) arguments%likely_errors = c_loc(likely)
+      if (present(outputs)) arguments%outputs = c_loc(outputs)
+      if (present(output_errors)) arguments%output_errors = c_loc(output_errors)
+      status = wrc_table_step(address, with, posed, q, v, arguments, f, errors)
+      if (status .eq. 0 .or. status .eq. 8) call give_two(states, istate, width)
+    end if
+    call finish(status, ierr, width)
+  end subroutine step_by_table
 
   ! The caller's integer of 4 or 8 bytes.
   integer(c_int64_t) function taken(number, width)

@@ -106,10 +106,7 @@ Two step_of(const Balance& balance, const SceneResult& result, const Two& place,
   if (lift[0] > 0.0 || lift[1] > 0.0) {
     return raise(result, lateral, {-lift[0], -lift[1]});
   }
-  const auto& [first, second] = balance.slope;
-  const double determinant = first[0] * second[1] - first[1] * second[0];
-  return {(balance.missing[0] * second[1] - balance.missing[1] * first[1]) / determinant,
-          (balance.missing[1] * first[0] - balance.missing[0] * second[0]) / determinant};
+  return newton_change(balance.slope, balance.missing);
 }
 
 } // namespace
@@ -134,6 +131,13 @@ Two checked_loads(const StaticLoads& loads, const Convention& convention) {
                            "lifts");
   }
   return {first, -inside};
+}
+
+Two newton_change(const TwoByTwo& slope, const Two& missing) {
+  const auto& [first, second] = slope;
+  const double determinant = first[0] * second[1] - first[1] * second[0];
+  return {(missing[0] * second[1] - missing[1] * first[1]) / determinant,
+          (missing[1] * first[0] - missing[0] * second[0]) / determinant};
 }
 
 Two loads_of_wheels(LoadsOf of, const Two& loads) {

@@ -33,6 +33,9 @@ struct StaticLoads {
 /// N and N mm, checked; of an axle the moment that the wheels have to bear. Throws
 /// Error(invalid_argument).
 std::array<double, 2> checked_loads(const StaticLoads& loads, const Convention& convention);
+/// Newton's change of height and roll that brings what is missing; `slope` by rows.
+std::array<double, 2> newton_change(const std::array<std::array<double, 2>, 2>& slope,
+                                    const std::array<double, 2>& missing);
 /// About what each wheel carries.
 std::array<double, 2> loads_of_wheels(LoadsOf of, const std::array<double, 2>& loads);
 

@@ -147,16 +147,14 @@ void put(const Rated& number, std::size_t row, TableContact& to) {
   to.rates[row] = number.rates;
 }
 
-double weight_of(const ErrorMap::Weight& weight, const PlaceInTable<double>&, double) {
+double weight_of(const ErrorMap::Weight& weight, const PlaceInTable<double>&) {
   return weight.value;
 }
-Rated weight_of(const ErrorMap::Weight& weight, const PlaceInTable<Rated>& place,
-                const Rated& saturation) {
+Rated weight_of(const ErrorMap::Weight& weight, const PlaceInTable<Rated>& place) {
   Rated result(weight.value);
   for (std::size_t i = 0; i < table_rate_count; ++i) {
-    result.rates[i] = weight.slope[0] * place.aligned_lateral.rates[i] +
-                      weight.slope[1] * place.depth.rates[i] +
-                      weight.slope[2] * saturation.rates[i];
+    result.rates[i] =
+        weight.slope[0] * place.aligned_lateral.rates[i] + weight.slope[1] * place.depth.rates[i];
   }
   return result;
 }
@@ -195,10 +193,9 @@ void put_weight(const Rated& weight, TableContact& to) {
   to.weight_rates = weight.rates;
 }
 
-/// Forces, of parts that are read from the table; returns the square of the creep force over that
-/// of full slip.
+/// Forces, of parts that are read from the table.
 template <class Real, class Part>
-WRC_VECTOR_BODY Real add_up(const ContactTable& table, const Against<Real>& wheelset,
+WRC_VECTOR_BODY void add_up(const ContactTable& table, const Against<Real>& wheelset,
                             const PlaceInTable<Real>& place, double friction, const Part& part,
                             TableContact& to) {
   using std::sqrt, std::sin, std::cos;
@@ -224,7 +221,6 @@ WRC_VECTOR_BODY Real add_up(const ContactTable& table, const Against<Real>& whee
   const double slowest = table.standstill_speed;
   const Real slip_speed = sqrt(reference_speed * reference_speed + Real(slowest * slowest));
   double power = 0.0; // of friction over the speed
-  Real saturation(0.0);
   const Real bound = Real(friction) * part(TablePart::normal) * load;
   if (friction >= least_table_friction) {
     const Vector velocity = wheelset.velocity + cross(wheelset.turning, arm);
@@ -242,7 +238,6 @@ WRC_VECTOR_BODY Real add_up(const ContactTable& table, const Against<Real>& whee
         table.law.forces(direction * fx, direction * fy, fp, part(TablePart::log_ratio));
     const Vector tangential = bound * (direction * creep[0] * Vector{Real(1.0), zero, zero} +
                                        direction * creep[1] * across);
-    saturation = creep[0] * creep[0] + creep[1] * creep[1];
     const Real spin_moment = bound * (creep[2] * (part(TablePart::size) * root));
     force = force + tangential;
     moment = moment + cross(arm, tangential) + spin_moment * spin;
@@ -264,7 +259,6 @@ WRC_VECTOR_BODY Real add_up(const ContactTable& table, const Against<Real>& whee
   for (std::size_t i = 0; i < rows.size(); ++i) {
     put(*rows[i], i, to);
   }
-  return saturation;
 }
 
 template <class Real>
@@ -287,15 +281,13 @@ WRC_VECTOR_BODY void find_contact(const ContactTable& table, const TableState& s
   Spline::Values found;
   table.contact.evaluate({to.lateral, to.roll, value_of(place.square), to.depth}, found);
   to.lifted = !(found.value[static_cast<std::size_t>(TablePart::load)] > 0.0);
-  Real saturation(0.0);
   if (!to.lifted) {
     const std::array<Real, 4> at{place.aligned_lateral, place.roll, place.square, place.depth};
-    saturation = add_up<Real>(
+    add_up<Real>(
         table, wheelset, place, state.friction,
         [&](TablePart part) { return part_of(found, static_cast<std::size_t>(part), at); }, to);
   }
-  to.saturation = value_of(saturation);
-  const ErrorMap::Place in_map{to.lateral, to.depth, to.saturation};
+  const ErrorMap::Place in_map{to.lateral, to.depth};
   to.errors = table.errors.at(in_map, 0, first_of_outputs);
   const double by_friction = error_by_friction(state.friction);
   to.errors[bound_of_force] *= by_friction;
@@ -304,7 +296,7 @@ WRC_VECTOR_BODY void find_contact(const ContactTable& table, const TableState& s
     Real of_table = share_before_border(ranges, place);
     if (table.tolerance > 0.0) {
       const auto weight = table.errors.weight_at(in_map, table.tolerance / by_friction);
-      of_table = of_table * (Real(1.0) - weight_of(weight, place, saturation));
+      of_table = of_table * (Real(1.0) - weight_of(weight, place));
     }
     put_weight(Real(1.0) - of_table, to);
   }
@@ -337,7 +329,8 @@ TableContact contact_in_table(const ContactTable& table, const TableState& state
 }
 
 double error_by_friction(double friction) {
-  return (friction + friction_without_errors) / (friction_of_errors + friction_without_errors);
+  return (std::max(friction, least_friction_of_errors) + friction_without_errors) /
+         (friction_of_errors + friction_without_errors);
 }
 
 double output_scale(const TableContact& contact, const WheelOutputs& outputs, std::size_t output) {

@@ -140,7 +140,7 @@ struct ContactTable {
   TensorSpline<4, table_part_count, float> contact; ///< by u', roll, yaw^2, s
   TensorSpline<4, place_part_count, float> places;  ///< likewise: of the outputs
   CreepLaw law;
-  ErrorMap errors; ///< by u', s, saturation; of forces at `friction_of_errors`
+  ErrorMap errors; ///< by u', s; of forces at `friction_of_errors`
   TableErrors measured;
   double tolerance = 0.0; ///< beyond which the exact solution is asked; 0: never
 
@@ -168,8 +168,7 @@ struct TableContact {
   double lateral = 0.0; ///< u', by which it is in the table or not, and the others
   double roll = 0.0;
   double yaw = 0.0;
-  double depth = 0.0;      ///< s
-  double saturation = 0.0; ///< square of the creep force over that of full slip
+  double depth = 0.0; ///< s
   bool inside = true;
   ErrorMap::Errors
       errors{};      ///< at this friction: of the force over the load as in TableErrors, ...

@@ -7,8 +7,7 @@
 namespace wrc {
 
 ErrorMap::ErrorMap(const Ranges& ranges, const Counts& counts)
-    : ranges_(ranges), counts_(counts),
-      vertices_((counts[0] + 1) * (counts[1] + 1) * (counts[2] + 1)) {}
+    : ranges_(ranges), counts_(counts), vertices_((counts[0] + 1) * (counts[1] + 1)) {}
 
 std::size_t ErrorMap::index_in(std::size_t variable, double place, double& fraction) const {
   const Range& range = ranges_[variable];
@@ -22,13 +21,11 @@ std::size_t ErrorMap::index_in(std::size_t variable, double place, double& fract
 
 std::size_t ErrorMap::cell_of(const Place& place) const {
   double unused = 0.0;
-  return (index_in(0, place[0], unused) * counts_[1] + index_in(1, place[1], unused)) * counts_[2] +
-         index_in(2, place[2], unused);
+  return index_in(0, place[0], unused) * counts_[1] + index_in(1, place[1], unused);
 }
 
 ErrorMap::Ranges ErrorMap::ranges_of(std::size_t cell) const {
-  const Counts at{cell / (counts_[1] * counts_[2]), cell / counts_[2] % counts_[1],
-                  cell % counts_[2]};
+  const Counts at{cell / counts_[1], cell % counts_[1]};
   Ranges result;
   for (std::size_t i = 0; i < at.size(); ++i) {
     const double size = (ranges_[i].last - ranges_[i].first) / static_cast<double>(counts_[i]);
@@ -38,21 +35,15 @@ ErrorMap::Ranges ErrorMap::ranges_of(std::size_t cell) const {
   return result;
 }
 
-std::array<std::size_t, 8> ErrorMap::vertices_of(std::size_t cell) const {
-  const Counts at{cell / (counts_[1] * counts_[2]), cell / counts_[2] % counts_[1],
-                  cell % counts_[2]};
-  std::array<std::size_t, 8> vertices{};
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    vertices[corner] =
-        ((at[0] + corner / 4) * (counts_[1] + 1) + at[1] + corner / 2 % 2) * (counts_[2] + 1) +
-        at[2] + corner % 2;
-  }
-  return vertices;
+std::array<std::size_t, 4> ErrorMap::vertices_of(std::size_t cell) const {
+  const std::size_t row = counts_[1] + 1;
+  const std::size_t first = cell / counts_[1] * row + cell % counts_[1];
+  return {first, first + 1, first + row, first + row + 1};
 }
 
 template <class Add> void ErrorMap::around(const Place& place, const Add& add) const {
-  std::array<std::array<double, 2>, 3> share{};
-  std::array<std::array<double, 2>, 3> slope{};
+  std::array<std::array<double, 2>, 2> share{};
+  std::array<std::array<double, 2>, 2> slope{};
   Counts index{};
   for (std::size_t i = 0; i < place.size(); ++i) {
     double t = 0.0;
@@ -63,14 +54,12 @@ template <class Add> void ErrorMap::around(const Place& place, const Add& add) c
     share[i] = {1.0 - rise, rise};
     slope[i] = {-rate, rate};
   }
-  const std::array<std::size_t, 8> vertices =
-      vertices_of((index[0] * counts_[1] + index[1]) * counts_[2] + index[2]);
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    const Counts k{corner / 4, corner / 2 % 2, corner % 2};
-    add(vertices_[vertices[corner]], share[0][k[0]] * share[1][k[1]] * share[2][k[2]],
-        Place{slope[0][k[0]] * share[1][k[1]] * share[2][k[2]],
-              share[0][k[0]] * slope[1][k[1]] * share[2][k[2]],
-              share[0][k[0]] * share[1][k[1]] * slope[2][k[2]]});
+  const std::array<std::size_t, 4> vertices = vertices_of(index[0] * counts_[1] + index[1]);
+  for (std::size_t corner = 0; corner < vertices.size(); ++corner) {
+    const std::size_t i = corner / 2;
+    const std::size_t j = corner % 2;
+    add(vertices_[vertices[corner]], share[0][i] * share[1][j],
+        Place{slope[0][i] * share[1][j], share[0][i] * slope[1][j]});
   }
 }
 

@@ -13,13 +13,6 @@ namespace {
 using Two = std::array<double, 2>;
 using Wheels = std::array<TableContact, 2>;
 
-/// Solves for a change of height and roll; by rows.
-Two solved(const std::array<Two, 2>& slope, const Two& missing) {
-  const double determinant = slope[0][0] * slope[1][1] - slope[0][1] * slope[1][0];
-  return {(missing[0] * slope[1][1] - missing[1] * slope[0][1]) / determinant,
-          (missing[1] * slope[0][0] - missing[0] * slope[1][0]) / determinant};
-}
-
 class TableBalance {
 public:
   TableBalance(const ContactTable& table, const VehicleState& state, const StaticLoads& loads,
@@ -41,7 +34,7 @@ public:
     for (std::size_t i = 0; i < 2; ++i) {
       target[i] = std::pow(each[i] / table_.ranges.load, 2.0 / 3.0);
     }
-    constexpr Two step{1e-4, 1e-7};
+    constexpr Two step{depth_step, roll_step};
     for (int i = 0; i < most_table_iterations; ++i) {
       const Wheels at = wheels(place);
       const Wheels higher = wheels({place[0] + step[0], place[1]});
@@ -53,11 +46,11 @@ public:
         slope[wheel] = {(higher[wheel].depth - at[wheel].depth) / step[0],
                         (turned[wheel].depth - at[wheel].depth) / step[1]};
       }
-      const Two change = solved(slope, missing);
-      // Turning by more than this at once would leave the profiles.
-      const double whole = std::max({1.0, std::abs(change[0]) / 5.0, std::abs(change[1]) / 0.01});
+      const Two change = newton_change(slope, missing);
+      const double whole = std::max({1.0, std::abs(change[0]) / largest_height_change,
+                                     std::abs(change[1]) / largest_roll_change});
       place = {place[0] + change[0] / whole, place[1] + change[1] / whole};
-      if (std::hypot(missing[0], missing[1]) < 1e-3) {
+      if (std::hypot(missing[0], missing[1]) < depth_met) {
         break;
       }
     }
@@ -92,7 +85,7 @@ public:
     }
     const double size = std::max(requested_[0], of_ == LoadsOf::wheels ? requested_[1] : 0.0);
     result.missing = std::hypot(missing[0], missing[1]) / size;
-    result.change = solved(slope, missing);
+    result.change = newton_change(slope, missing);
     return result;
   }
 

@@ -26,8 +26,8 @@ SampleCounts sample_counts_of(const TableOptions& options) {
   const auto at_least = [](double least, double count) {
     return static_cast<std::size_t>(std::lround(std::max(least, count)));
   };
-  return {{at_least(2.0, cells_per_length * 2.0 * options.ranges.lateral), 6, 3},
-          at_least(20.0, 80.0 * options.fineness),
+  return {{at_least(2.0, cells_per_length * 2.0 * options.ranges.lateral), 4},
+          at_least(10.0, 30.0 * options.fineness),
           at_least(500.0, 10000.0 * options.fineness)};
 }
 
@@ -67,8 +67,7 @@ Sample sample_of(const ContactTable& table, const TableState& state, bool deriva
   sample.fill(-1.0);
   const TableContact found = contact_in_table(table, state, derivatives);
   SceneWheel& wheel = nodes.solve_exactly(state, derivatives, table_creep_accuracy);
-  sample[0] =
-      static_cast<double>(table.errors.cell_of({found.lateral, found.depth, found.saturation}));
+  sample[0] = static_cast<double>(table.errors.cell_of({found.lateral, found.depth}));
   sample[1] = error_of_force(table, found, force_of(wheel)) / error_by_friction(state.friction);
   if (found.lifted || wheel.patches.empty()) {
     return sample;
@@ -98,15 +97,14 @@ double quantile(std::vector<double>& numbers, double share) {
 void make_map(TableWork& work, const SampleCounts& counts, const Progress& progress) {
   ErrorMap& map = work.table.errors;
   const TableRanges& ranges = work.options.ranges;
-  map = ErrorMap({{{-ranges.lateral, ranges.lateral}, {0.0, largest_depth}, {0.0, 1.0}}},
-                 counts.cells);
-  const std::size_t cells = map.cell_count() / counts.cells[2];
+  map = ErrorMap({{{-ranges.lateral, ranges.lateral}, {0.0, largest_depth}}}, counts.cells);
+  const std::size_t cells = map.cell_count();
   const std::size_t states = counts.states_of_cell * cells;
   std::vector<double> numbers(states * sample_count);
   work.run_stage(Stage::map, states, numbers, progress, [&] {
     return [&, own = work.nodes()](std::size_t i, double* to) mutable {
       const bool derivatives = i / cells % 4 == 0;
-      const TableState state = random_state(work.table, counts.cells[2] * (i % cells), i / cells);
+      const TableState state = random_state(work.table, i % cells, i / cells);
       const Sample sample = sample_of(work.table, state, derivatives, *own);
       std::copy(sample.begin(), sample.end(), to);
     };
@@ -180,7 +178,7 @@ void measure_table(TableWork& work, const Progress& progress) {
     ratios[1].push_back(error / std::max(likely, std::numeric_limits<double>::min()));
   }
   measured.factor = std::max(1.0, quantile(ratios[0], calibrated_share));
-  measured.likely_factor = quantile(ratios[1], likely_share);
+  measured.likely_factor = quantile(ratios[1], calibrated_likely_share);
   for (ErrorMap::Errors& vertex : work.table.errors.vertices()) {
     vertex[bound_of_force] *= measured.factor;
     vertex[likely_of_force] *= measured.likely_factor;
@@ -203,8 +201,9 @@ TableState random_state(const ContactTable& table, std::size_t cell, std::uint64
   const ErrorMap::Ranges ranges = table.errors.ranges_of(cell);
   const double u = random.between(ranges[0].first, ranges[0].last);
   const double s = random.between(ranges[1].first, ranges[1].last);
-  const double roll = random.between(-table.ranges.roll, table.ranges.roll);
-  const double yaw = random.between(-table.ranges.yaw, table.ranges.yaw);
+  // Sums of two numbers: small angles are more frequent, as on vehicles.
+  const double roll = table.ranges.roll * (random.next() + random.next() - 1.0);
+  const double yaw = table.ranges.yaw * (random.next() + random.next() - 1.0);
   TensorSpline<3, 2>::Values touch;
   table.touch.evaluate({u, roll, yaw * yaw}, touch);
   const TablePose pose = pose_of_taping_point(table, from_aligned(table, u, roll, yaw),

@@ -16,7 +16,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the format's numbers are little-endian");
 
 constexpr std::string_view first_words = "wrcontact table of contact forces, format ";
-constexpr std::string_view first_line = "wrcontact table of contact forces, format 2\n";
+constexpr std::string_view first_line = "wrcontact table of contact forces, format 3\n";
 
 [[noreturn]] void refuse(const std::string& what) {
   throw Error(ErrorCode::file_malformed, "table file: " + what);
@@ -261,7 +261,7 @@ ContactTable table_from_text(std::string_view text) {
     if (text.starts_with(first_words)) {
       const std::string_view rest = text.substr(first_words.size(), longest_table_format);
       refuse("its format is " + std::string(rest.substr(0, rest.find('\n'))) +
-             ", that of another version of the library; this one reads format 2: make the table "
+             ", that of another version of the library; this one reads format 3: make the table "
              "again");
     }
     refuse("it does not begin with \"" + std::string(first_line.substr(0, first_line.size() - 1)) +

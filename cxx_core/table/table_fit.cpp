@@ -77,7 +77,7 @@ void smooth_law(const Contact::Axes& axes, std::vector<double>& values) {
       const double amount = which == TablePart::log_ratio ? 1.0
                             : which == TablePart::arm_z   ? smoothed_arm
                             : which == TablePart::cross_law
-                                ? 4.0 * std::abs(middle[-1]) // the lateral force by spin
+                                ? smoothed_cross * std::abs(middle[-1]) // the lateral force by spin
                                 : std::abs(level);
       const double ratio = std::min(1.0, misfit / (smoothed_noise * std::max(amount, 1e-300)));
       const double noise = std::pow(ratio, 4);
@@ -123,7 +123,7 @@ std::array<double, 4> corrections_at(const ContactTable& table, TableState state
   state.friction = 0.0;
   const double spin_force = found.force[1] - contact_in_table(table, state, false).force[1];
   const double slide = friction_of_errors * found.force[2];
-  const double regular = 0.01 * slide; // a spin without a force has no factor
+  const double regular = least_spin_force * slide;
   const std::array<double, 4> result{
       (*exact)[0][by_speed] / found.rates[0][by_speed],
       (*exact)[1][by_lateral] / found.rates[1][by_lateral],

@@ -33,7 +33,7 @@ PatchNumbers patch_numbers_of(const PatchResult& patch, const Vector3& centre,
   double force = 0.0;
   double x = 0.0;
   double y = 0.0;
-  for (const LoadedRow& row : patch.slip->rows) {
+  for (const LoadedRow& row : patch.slip.value().rows) {
     force += row.force;
     x += row.first;
     y += row.force * row.lateral;

@@ -242,7 +242,7 @@ int put_outputs(const ContactTable& table, const TableContact& contact, const Sc
   if (contact.inside && !contact.lifted && share < 1.0) {
     outputs = outputs_in_table(table, contact, flags);
     const ErrorMap::Errors of_outputs =
-        table.errors.at({contact.lateral, contact.depth, contact.saturation}, first_of_outputs);
+        table.errors.at({contact.lateral, contact.depth}, first_of_outputs);
     for (std::size_t i = 0; i < output_count; ++i) {
       errors[i] =
           (1.0 - share) * of_outputs[first_of_outputs + i] * output_scale(contact, outputs, i);
@@ -251,7 +251,8 @@ int put_outputs(const ContactTable& table, const TableContact& contact, const Sc
   if (exact != nullptr) {
     const WheelOutputs found = outputs_of(*exact);
     for (std::size_t i = 0; i < output_count; ++i) {
-      outputs[i] = (1.0 - share) * outputs[i] + share * found[i];
+      outputs[i] = wheel_outputs[i].is_flag ? (share > 0.5 ? found[i] : outputs[i])
+                                            : (1.0 - share) * outputs[i] + share * found[i];
     }
   }
   for (std::size_t i = 0; i < output_count; ++i) {

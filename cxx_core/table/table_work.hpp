@@ -20,7 +20,7 @@
 namespace wrc {
 
 /// Stages whose tasks take long; a number that was once that of others is not used again.
-enum class Stage : std::uint32_t { touch = 0, nodes = 1, fit = 5, map, factor, check };
+enum class Stage : std::uint32_t { touch = 0, nodes = 1, fit = 9, map, factor, check };
 
 /// Numbers between 0 and 1, the same everywhere for a seed.
 class RandomNumbers {

@@ -15,7 +15,7 @@ double flange_share_of(const WheelResult& wheel) {
   double flange = 0.0;
   double all = 0.0;
   for (const PatchResult& patch : wheel.patches) {
-    for (const LoadedRow& row : patch.slip->rows) {
+    for (const LoadedRow& row : patch.slip.value().rows) {
       all += row.force;
       flange += patch.frame.angle() + std::asin(row.sine) > flange_lobe_angle ? row.force : 0.0;
     }

@@ -17,6 +17,7 @@ namespace wrc {
 struct OutputKey {
   const char* name;
   Dimension dimension;
+  bool is_flag = false; ///< 0 or 1
 };
 /// In the order of all arrays of outputs; names of results of a wheel where there is one.
 inline constexpr std::array<OutputKey, 8> wheel_outputs{
@@ -27,7 +28,7 @@ inline constexpr std::array<OutputKey, 8> wheel_outputs{
      {"centroid.rolling_radius", dimensions::length},
      {"normal_force.tread", dimensions::force},
      {"normal_force.flange", dimensions::force},
-     {"on_flange_tip", dimensions::pure}}};
+     {"on_flange_tip", dimensions::pure, true}}};
 constexpr std::size_t output_count = wheel_outputs.size();
 using WheelOutputs = std::array<double, output_count>;
 

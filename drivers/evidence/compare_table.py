@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """What a table says of the wheels of a coach, against the full theory at an accuracy of 1e-3: the figures of docs/table.md.
 
-STATES are files that `coach --states FILE --friction '0.2 0.5'` wrote, on the wheel profile of --wheel, which is the
-table's. A third of the wheelsets is braked: they turn 0.03 to 1 % slower. Bands are those of the lateral position of
+STATES are files that `coach --states FILE --friction '0.2 0.5'` wrote on the wheel profile of --wheel, which is the
+table's; forces are those at --friction. A third of the wheelsets is braked: they turn 0.03 to 1 % slower. Bands are those of the lateral position of
 the wheel against its rail, towards the flange: tread to 5 mm, root to 7.5 mm, flange beyond.
 
 For forces: errors over the load, as the table has them; how many are beyond the bound and beyond the likely error.
@@ -18,14 +18,14 @@ import warnings
 import numpy as np
 import wrcontact
 
-FRICTION = [0.2, 0.5]
 RESULTS = ["wear_number", "centroid.t_rail", "centroid.s_wheel", "centroid.rolling_radius", "vertical_force"]
 BANDS = [("tread", -np.inf, 5.0), ("root", 5.0, 7.5), ("flange", 7.5, np.inf)]
 
 
-def drawn_states(paths: list[str], count: int) -> np.ndarray:
-    """Rows of position, velocity, rails and curvature in mm and s."""
+def drawn_states(paths: list[str], count: int, beyond: float) -> np.ndarray:
+    """Rows of position, velocity, rails and curvature in mm and s; those with a wheel beyond a lateral position."""
     rows = np.vstack([np.loadtxt(path) for path in paths])
+    rows = rows[1e3 * band_of(rows).max(axis=1) >= beyond]
     random = np.random.default_rng(7)
     rows = rows[random.choice(len(rows), min(count, len(rows)), replace=False)]
     braked = random.random(len(rows)) < 1 / 3
@@ -39,10 +39,10 @@ def arguments(row: np.ndarray) -> dict:
     return {"position": row[:6], "velocity": row[6:12], "rails": row[12:18], "curvature": row[18]}
 
 
-def truth_of(rows: np.ndarray, wheel: str) -> dict[str, np.ndarray]:
+def truth_of(rows: np.ndarray, wheel: str, friction: list[float]) -> dict[str, np.ndarray]:
     """Force [state, wheel, 3], and RESULTS [state, wheel, 5]; not-a-number where it is not solved."""
     scene = wrcontact.Scene(accuracy_of="forces", accuracy=1e-3, creep="full",
-                            **{"friction.left": FRICTION[0], "friction.right": FRICTION[1], "wheelset.wheel": wheel})
+                            **{"friction.left": friction[0], "friction.right": friction[1], "wheelset.wheel": wheel})
     solver = wrcontact.Solver()
     force = np.full((len(rows), 2, 3), np.nan)
     results = np.full((len(rows), 2, len(RESULTS)), np.nan)
@@ -62,11 +62,11 @@ def truth_of(rows: np.ndarray, wheel: str) -> dict[str, np.ndarray]:
 
 
 def band_of(rows: np.ndarray) -> np.ndarray:
-    """[state, wheel]: mm towards the flange."""
+    """[state, wheel]: towards the flange."""
     return np.stack([rows[:, 1] - rows[:, 12], rows[:, 15] - rows[:, 1]], axis=1)
 
 
-def compare(table: wrcontact.Table, truth: dict[str, np.ndarray]) -> None:
+def compare(table: wrcontact.Table, truth: dict[str, np.ndarray], friction: list[float]) -> None:
     rows, force = truth["rows"], truth["force"]
     found = np.full_like(force, np.nan)
     bound = np.full(force.shape[:2], np.nan)
@@ -75,7 +75,7 @@ def compare(table: wrcontact.Table, truth: dict[str, np.ndarray]) -> None:
     errors = np.full((*force.shape[:2], 8), np.nan)
     for i, row in enumerate(rows):
         try:
-            step, bound[i] = table.step(**arguments(row), friction=FRICTION)
+            step, bound[i] = table.step(**arguments(row), friction=friction)
         except wrcontact.InvalidArgument:  # outside
             continue
         found[i], likely[i], outputs[i], errors[i] = (step.force[:, :3], step.likely_errors, step.outputs,
@@ -130,6 +130,9 @@ def main() -> None:
     parser.add_argument("states", nargs="*", metavar="STATES")
     parser.add_argument("--wheel", default="S1002", help="profile, a name or a file [S1002]")
     parser.add_argument("--count", type=int, default=2500, help="of wheelsets [2500]")
+    parser.add_argument("--beyond", metavar="MM", type=float, default=-np.inf,
+                        help="of these only wheelsets with a wheel that far towards its flange [all]")
+    parser.add_argument("--friction", metavar=("LEFT", "RIGHT"), type=float, nargs=2, default=[0.2, 0.5])
     parser.add_argument("--save", metavar="FILE")
     parser.add_argument("--load", metavar="FILE")
     parser.add_argument("--time", action="store_true")
@@ -138,13 +141,14 @@ def main() -> None:
     table = wrcontact.Table()
     table.load(options.table)
     if options.time:
-        measure_time(table, drawn_states(options.states, options.count))
+        measure_time(table, drawn_states(options.states, options.count, options.beyond))
         return
     truth = (dict(np.load(options.load)) if options.load
-             else truth_of(drawn_states(options.states, options.count), options.wheel))
+             else truth_of(drawn_states(options.states, options.count, options.beyond), options.wheel,
+                           options.friction))
     if options.save:
         np.savez(options.save, **truth)
-    compare(table, truth)
+    compare(table, truth, options.friction)
 
 
 if __name__ == "__main__":

@@ -46,7 +46,8 @@ void refhis_(const double* q, const double* v, const double* dt, double* f, doub
 
 /** A step by the table of f77.table, with all further arguments; status of its last call. */
 void reftab_(const double* q, const double* v, const double* opt, double* f, double* dfdr,
-             double* errors, double* status) {
+             double* errors, double* likely, double* outputs, double* output_errors,
+             double* status) {
   wrc_table* table = NULL;
   wrc_step_arguments arguments = {.struct_size = sizeof arguments};
   arguments.rails = opt;
@@ -54,6 +55,9 @@ void reftab_(const double* q, const double* v, const double* opt, double* f, dou
   arguments.curvature = opt + 12;
   arguments.friction = opt + 13;
   arguments.by_rail = dfdr;
+  arguments.likely_errors = likely;
+  arguments.outputs = outputs;
+  arguments.output_errors = output_errors;
   *status = wrc_table_create(&table);
   if (*status == WRC_OK) {
     *status = wrc_table_load(table, "f77.table");

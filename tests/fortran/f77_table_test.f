@@ -135,6 +135,8 @@ c     What is refused.
       real*8 q(6), v(6), f(6,2), g(6,2), opt(15), loads(2), ranges(6)
       real*8 dfdq(6,6,2), dfdv(6,6,2), dfdr(6,3,2), dfdw(6,3,2)
       real*8 errors(2), facts(13), exact(6,2), byrail(6,3,2), bounds(2)
+      real*8 xlikel(2,2), out(8,2), outerr(8,2), reflik(2,2)
+      real*8 refout(8,2), outref(8,2)
       real*8 status
       character*120 text
       data ranges /1.0d0, 3.0d-3, 1.0d-2, 1.2d5, 0.0d0, 0.2d0/
@@ -198,11 +200,30 @@ c     With all arguments, from a file and by another handle.
       call wrctvx(ctable, 0_8, 0_8, q, v, iopt, opt, f, dfdq, dfdv,
      &  dfdr, dfdw, errors, istate, ierr)
       call expect(ierr .eq. 0, 'all arguments')
-      call reftab(q, v, opt, g, byrail, bounds, status)
+      call reftab(q, v, opt, g, byrail, bounds, reflik, refout, outref,
+     &  status)
       call expect(status .le. 0.0d0, 'the reference')
       call within(f, g, 12, 0.0d0, 'forces as in C')
       call within(dfdr, byrail, 36, 0.0d0, 'by the rails as in C')
       call within(errors, bounds, 2, 0.0d0, 'errors as in C')
+      istate(1) = -1
+      istate(2) = -1
+      ierr = -1
+      call wrctvo(ctable, 0_8, 0_8, q, v, iopt, opt, f, dfdq, dfdv,
+     &  dfdr, dfdw, errors, xlikel, out, outerr, istate, ierr)
+      call expect(ierr .eq. 0 .and. istate(1) .eq. 0 .and. istate(2)
+     &  .eq. 0, 'outputs')
+      call within(f, g, 12, 0.0d0, 'the same forces')
+      call within(dfdr, byrail, 36, 0.0d0, 'the same derivatives')
+      call within(errors, bounds, 2, 0.0d0, 'the same errors')
+      call within(xlikel, reflik, 4, 0.0d0, 'likely errors as in C')
+      call within(out, refout, 16, 0.0d0, 'outputs as in C')
+      call within(outerr, outref, 16, 0.0d0, 'their errors as in C')
+      do i = 1, 2
+        call expect(xlikel(1,i) .gt. 0.0d0 .and. out(1,i) .gt. 0.0d0
+     &    .and. out(5,i) .gt. 4.5d2 .and. out(6,i) .gt. 3.0d4 .and.
+     &    outerr(1,i) .gt. 0.0d0, 'of both wheels')
+      end do
       call wrctvx(other, 0_8, 0_8, q, v, iopt, opt, g, dfdq, dfdv,
      &  dfdr, dfdw, errors, istate, ierr)
       call expect(ierr .eq. 0, 'a step')
@@ -247,6 +268,10 @@ c     Outside, and what is refused.
       call wrctvx(solver, 0_8, 0_8, q, v, iopt, opt, g, dfdq, dfdv,
      &  dfdr, dfdw, errors, istate, ierr)
       call expect(ierr .eq. 1, 'no table')
+      ierr = -1
+      call wrctvo(solver, 0_8, 0_8, q, v, iopt, opt, g, dfdq, dfdv,
+     &  dfdr, dfdw, errors, xlikel, out, outerr, istate, ierr)
+      call expect(ierr .eq. 1, 'no outputs of no table')
       ierr = -1
       call wrctmk(ctable, solver, ranges, 1, ierr)
       call expect(ierr .eq. 1, 'a table of a solver')

@@ -59,7 +59,7 @@ wrc::ContactTable base_table() {
                   std::vector<double>(256 * wrc::place_part_count, 0.1)};
   const SplineAxis law(-1.0, 1.0, 4);
   table.law = wrc::CreepLaw({{law, law, law, law}, std::vector<double>(1024)});
-  table.errors = wrc::ErrorMap({{{-10.0, 10.0}, {0.0, 1.0}, {0.0, 1.0}}}, {2, 1, 1});
+  table.errors = wrc::ErrorMap({{{-10.0, 10.0}, {0.0, 1.0}}}, {2, 1});
   table.measured.states = 100;
   return table;
 }

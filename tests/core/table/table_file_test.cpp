@@ -70,11 +70,11 @@ TEST(TableFile, SaysThatAFileIsOfAnotherVersion) {
   expect_error(
       ErrorCode::file_malformed, [&] { (void)table_from_text(with_checksum(text + "more")); },
       "its checksum is right, so it may be of another version of the library");
-  const std::size_t number = text.find("format 2") + 7;
+  const std::size_t number = text.find("format 3") + 7;
   text[number] = '9';
   expect_error(
       ErrorCode::file_malformed, [&] { (void)table_from_text(with_checksum(text)); },
-      "its format is 9", "this one reads format 2: make the table again");
+      "its format is 9", "this one reads format 3: make the table again");
 }
 
 /// Of later versions: it says which variables or outputs they have.

@@ -286,16 +286,41 @@ TEST(TableStep, HasOutputsWithTheirErrors) {
   EXPECT_EQ(step_in_table(small_table(), state, nullptr, true).outputs[1], WheelOutputs{});
 }
 
-/// Between exact cells and others, forces go over with a continuous slope.
-TEST(TableStep, BlendsTheExactSolutionIn) {
+/// Of the lateral positions of the left wheel the table's up to -0.5 mm, exact ones from 0 on.
+ContactTable half_exact_table() {
   ContactTable table = small_table();
-  const ErrorMap& map = table.errors;
-  ErrorMap steep(map.ranges(), {4, 1, 1}); // of the lateral positions, exact in the last two cells
+  ErrorMap steep(table.errors.ranges(), {4, 1});
   for (std::size_t i = 0; i < steep.vertices().size(); ++i) {
-    steep.vertices()[i].fill(i < 8 ? 0.01 : 0.5);
+    steep.vertices()[i].fill(i < 4 ? 0.01 : 0.5);
   }
   table.errors = steep;
   table.tolerance = 0.1;
+  return table;
+}
+
+/// A fraction would be no state.
+TEST(TableStep, IsOnTheFlangeTipOrNotByTheLargerPart) {
+  ContactTable table = half_exact_table();
+  std::vector<float>& numbers = table.places.coefficients();
+  for (std::size_t i = static_cast<std::size_t>(PlacePart::tip); i < numbers.size();
+       i += place_part_count) {
+    numbers[i] = 1.0F; // as the exact solution is not
+  }
+  const Scene scene = scene_of_small_table();
+  SceneSolver solver;
+  const ExactAnswer exact{scene, solver};
+  VehicleState state = running_state();
+  for (const auto& [lateral, on_tip] : {std::pair(-0.4, 1.0), std::pair(-0.1, 0.0)}) {
+    state.position[1] = lateral;
+    const TableStep found = step_in_table(table, state, &exact, true);
+    EXPECT_EQ(found.wheels[0].state & exact_solution, exact_solution);
+    EXPECT_EQ(found.outputs[0][output_count - 1], on_tip);
+  }
+}
+
+/// Between exact cells and others, forces go over with a continuous slope.
+TEST(TableStep, BlendsTheExactSolutionIn) {
+  const ContactTable table = half_exact_table();
   const Scene scene = scene_of_small_table();
   SceneSolver solver;
   const ExactAnswer exact{scene, solver};

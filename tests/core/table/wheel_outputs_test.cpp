@@ -1,6 +1,8 @@
 /// Outputs of a table: their order, and lobes that share the normal force.
 #include "table/wheel_outputs.hpp"
 
+#include <optional>
+
 #include <gtest/gtest.h>
 
 #include "keys/scene.hpp"
@@ -33,6 +35,18 @@ TEST(WheelOutputs, OfASolutionAreThoseOfBothMirroredWheels) {
   EXPECT_EQ(outputs_of(*result.right)[6], 0.0);
   EXPECT_GT(flange[3], outputs_of(*result.right)[3]);
   EXPECT_GT(flange[0], 0.0);
+}
+
+/// The lobes are told by rows of slip, which creepages that are given do not have.
+TEST(WheelOutputs, AreRefusedOfCreepagesThatAreGiven) {
+  Scene scene;
+  scene.accuracy = 1e-2;
+  for (SceneSide* side : {&scene.left, &scene.right}) {
+    side->creepages.emplace().longitudinal = 1e-3;
+  }
+  const SceneResult result = solve_scene(scene);
+  ASSERT_FALSE(result.left->patches.empty());
+  EXPECT_THROW(outputs_of(*result.left), std::bad_optional_access);
 }
 
 } // namespace
