@@ -261,7 +261,7 @@ WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int3
 #define WRC_LIFTED 1          /**< no contact */
 #define WRC_ON_FLANGE_TIP 2   /**< a patch beyond the steepest point of the flange: derailing */
 #define WRC_ON_CHAMFER 4      /**< a patch beyond the tread, on the field side */
-#define WRC_BEYOND_YIELD 8    /**< largest pressure above material.yield_pressure */
+#define WRC_BEYOND_YIELD 8    /**< pmax above 1.44 of the smaller material.*.yield_stress */
 #define WRC_SOLVED_EXACTLY 16 /**< a table asked the exact solution */
 #define WRC_BEYOND_LOAD 64    /**< a table went on beyond its largest load, after Hertz */
 #define WRC_AT_PART_END 32    /**< contact that an end or side of a part that varies cuts */

@@ -34,7 +34,9 @@ struct Patch {
   double plane_force_error = 0.0; ///< likewise, without that of the largest pressure
   PressureRegion contact;         ///< all elements under pressure together
   double peak_error = 0.0;        ///< of a peak from a section (peak_section.hpp), MPa
-  double ridge = 0.0;             ///< under its pressures (peak_section.hpp), rad
+  /// Largest pressure of the elastic solution, where steel yields; 0 of a patch that it has not.
+  std::optional<double> elastic_peak;
+  double ridge = 0.0;    ///< under its pressures (peak_section.hpp), rad
   double growth = 0.0;   ///< of the peak at that ridge with every element e times narrower, MPa
   std::size_t plane = 0; ///< patches of the same one are one contact
   double approach = 0.0; ///< deepest overlap of the undeformed bodies along the normal

@@ -47,6 +47,7 @@ enum class WarningClass : std::uint8_t {
   model_validity,   ///< of an approximate model
   no_interaction,   ///< of patches, or a part of it is not known
   pressure,         ///< beyond what steel carries
+  first_pressing,   ///< steel yields
   creep_accuracy,   ///< not reached
   steady_forces,    ///< where they change along the path
   unlike_materials, ///< of wheel and rail, in creep forces
@@ -57,17 +58,26 @@ enum class WarningClass : std::uint8_t {
 };
 
 /// Names of the classes, in their order.
-inline constexpr std::array<std::string_view, 37> warning_class_names{
-    "profile_dimensions", "profile_origin",  "profile_flange",   "profile_signs",
-    "profile_tilt",       "profile_gap",     "profile_step",     "profile_overlap",
-    "profile_outliers",   "profile_noise",   "profile_swing",    "profile_end",
-    "flange_tip",         "chamfer",         "no_contact",       "no_load",
-    "not_converged",      "not_settled",     "rounding",         "accuracy",
-    "element_limit",      "ridge",           "grid_edge",        "patch_turn",
-    "vertical_angle",     "patch_left_out",  "close_patches",    "model_validity",
-    "no_interaction",     "pressure",        "creep_accuracy",   "steady_forces",
-    "unlike_materials",   "torque_exceeded", "torque_ambiguous", "unused_key",
-    "implausible_input"};
+inline constexpr std::array<std::string_view, 38> warning_class_names{
+    "profile_dimensions", "profile_origin",
+    "profile_flange",     "profile_signs",
+    "profile_tilt",       "profile_gap",
+    "profile_step",       "profile_overlap",
+    "profile_outliers",   "profile_noise",
+    "profile_swing",      "profile_end",
+    "flange_tip",         "chamfer",
+    "no_contact",         "no_load",
+    "not_converged",      "not_settled",
+    "rounding",           "accuracy",
+    "element_limit",      "ridge",
+    "grid_edge",          "patch_turn",
+    "vertical_angle",     "patch_left_out",
+    "close_patches",      "model_validity",
+    "no_interaction",     "pressure",
+    "first_pressing",     "creep_accuracy",
+    "steady_forces",      "unlike_materials",
+    "torque_exceeded",    "torque_ambiguous",
+    "unused_key",         "implausible_input"};
 static_assert(static_cast<std::size_t>(WarningClass::implausible_input) + 1 ==
               warning_class_names.size());
 

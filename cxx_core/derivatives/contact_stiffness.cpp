@@ -42,7 +42,8 @@ void check_size(const std::string& argument, std::size_t size, std::size_t expec
 } // namespace
 
 void ContactStiffness::set_contact(std::span<const SolvedPatch> patches, double combined_modulus,
-                                   PatchInfluence* influence) {
+                                   PatchInfluence* influence,
+                                   std::span<const YieldingBody> yielding) {
   if (patches.empty()) {
     throw_invalid_argument("patches", 0.0, "must have at least one entry");
   }
@@ -80,6 +81,7 @@ void ContactStiffness::set_contact(std::span<const SolvedPatch> patches, double 
                                                          kernel, cache_, patch.angles_of_box());
       patch.preconditioner =
           BoxConvolution<double>::inverse_periodic(rows, columns, kernel, cache_);
+      patch.self = patch.unit * cache_.table(kernel, 1, 1)->values[0];
     }
     count += patch.count();
     patches_.push_back(std::move(patch));
@@ -99,6 +101,15 @@ void ContactStiffness::set_contact(std::span<const SolvedPatch> patches, double 
       value = value > 0.0 ? 1.0 : 0.0;
     }
   }
+  set_groups();
+  yielding_.clear();
+  if (!yielding.empty()) {
+    set_yielding(patches, yielding);
+  }
+}
+
+/// Patches that interact are solved together.
+void ContactStiffness::set_groups() {
   groups_.clear();
   const std::size_t together = influence_ != nullptr ? patches_.size() : 1;
   for (std::size_t first = 0; first < patches_.size(); first += together) {
@@ -123,6 +134,27 @@ void ContactStiffness::set_contact(std::span<const SolvedPatch> patches, double 
 /// On all boxes of a group; fields are those of all boxes. `force` is 0 outside C, and so is the
 /// displacement given back.
 void ContactStiffness::displace(const Group& group, const double* force, double* displacement) {
+  displace_elastically(group, force, displacement);
+  if (yielding_.empty()) {
+    return;
+  }
+  const std::size_t end = group.begin + group.count;
+  for (const YieldingFields& body : yielding_) {
+    for (std::size_t i = group.begin; i < end; ++i) {
+      product_[i] = body.slope[i] * force[i];
+    }
+    displace_elastically(group, product_.data(), by_body_.data());
+    for (std::size_t i = group.begin; i < end; ++i) {
+      displacement[i] += body.slope[i] * by_body_[i];
+    }
+  }
+  for (std::size_t i = group.begin; i < end; ++i) {
+    displacement[i] += diagonal_[i] * force[i];
+  }
+}
+
+void ContactStiffness::displace_elastically(const Group& group, const double* force,
+                                            double* displacement) {
   for (std::size_t k = group.first; k < group.last; ++k) {
     const Patch& patch = patches_[k];
     if (patch.in_contact) {
@@ -137,62 +169,6 @@ void ContactStiffness::displace(const Group& group, const double* force, double*
     add_influence(force, displacement);
   }
   multiply(contact_.data() + group.begin, displacement + group.begin, group.count);
-}
-
-ContactStiffness::Displacements
-ContactStiffness::displacements_of(std::size_t patch_index, std::span<const double> pressure) {
-  const Patch& patch = patches_[patch_index];
-  Displacements result;
-  result.displacement.resize(pressure.size());
-  result.by_lateral_step.resize(pressure.size());
-  if (!patch.in_contact) {
-    return result;
-  }
-  const std::size_t rows = patch.box.rows();
-  const std::size_t columns = patch.box.columns();
-  copy_box(patch.size(), patch.box, pressure, in_box_);
-  const double unit = patch.unit * patch.grid.element_area() / force_unit_;
-  const double aspect = patch.grid.lateral_step / patch.grid.longitudinal_step;
-  const auto displaced = [&](double factor, const RowAngles& angles) {
-    const auto convolution = BoxConvolution<double>::linear(
-        {rows, columns, rows, columns, 0, 0}, {shared_aspect(factor * aspect), patch.elements},
-        cache_, angles);
-    std::vector<double> values(patch.count());
-    convolution.apply(in_box_.data(), values.data(), workspace_);
-    return values;
-  };
-  // A central difference over aspect_step to both sides.
-  const auto put_rate = [&](std::vector<double> above, const std::vector<double>& below,
-                            std::vector<double>& rate) {
-    std::ranges::transform(above, below, above.begin(), [unit](double one, double other) {
-      return unit * (one - other) / (2.0 * aspect_step);
-    });
-    put_box(patch.size(), patch.box, above, rate);
-  };
-  const RowAngles angles = patch.angles_of_box();
-  std::vector<double> here = displaced(1.0, angles);
-  put_rate(displaced(1.0 + aspect_step, angles), displaced(1.0 - aspect_step, angles),
-           result.by_lateral_step);
-  for (double& value : here) {
-    value *= unit;
-  }
-  put_box(patch.size(), patch.box, here, result.displacement);
-  if (patch.angles.empty()) {
-    return result;
-  }
-  const auto turned = [&](double by_place, double by_spread) {
-    std::vector<double> rows_turned(angles.in.begin(), angles.in.end());
-    for (std::size_t i = 0; i < rows; ++i) {
-      const std::size_t row = patch.box.first_row + i;
-      rows_turned[i] += (by_place + by_spread * patch.grid.lateral(row)) * patch.curvature(row);
-    }
-    return displaced(1.0, {rows_turned, rows_turned});
-  };
-  result.by_place.resize(pressure.size());
-  result.by_spread.resize(pressure.size());
-  put_rate(turned(aspect_step, 0.0), turned(-aspect_step, 0.0), result.by_place);
-  put_rate(turned(0.0, aspect_step), turned(0.0, -aspect_step), result.by_spread);
-  return result;
 }
 
 double ContactStiffness::Patch::curvature(std::size_t row) const {
@@ -241,11 +217,22 @@ void ContactStiffness::precondition(const Group& group, const double* residual,
     const Patch& patch = patches_[k];
     if (patch.in_contact) {
       const std::span<double> values = patch.within(correction);
-      patch.preconditioner.apply(patch.within(residual).data(), values.data(), workspace_);
+      const double* from = patch.within(residual).data();
+      if (!yielding_.empty()) {
+        in_box_.assign(from, from + patch.count());
+        multiply(elastic_.data() + patch.begin, in_box_.data(), patch.count());
+        from = in_box_.data();
+      }
+      patch.preconditioner.apply(from, values.data(), workspace_);
       const double inverse = 1.0 / patch.unit;
       for (double& value : values) {
         value *= inverse;
       }
+    }
+  }
+  if (!yielding_.empty()) {
+    for (std::size_t i = group.begin; i < group.begin + group.count; ++i) {
+      correction[i] = elastic_[i] * correction[i] + jacobi_[i] * residual[i];
     }
   }
   multiply(contact_.data() + group.begin, correction + group.begin, group.count);

@@ -12,6 +12,9 @@
 ///   sum w dp = -sum f dh
 /// for any dh; `w` = 1 on one patch gives its normal force's derivative by every motion.
 ///
+/// Of bodies that yield A is the stiffness H of mechanics/yielding.hpp, symmetric as well, and with
+/// its preconditioner.
+///
 /// Conjugate gradients on the elements of C, the convolution exact and linear in double precision
 /// on the box around C, preconditioned by the inverse of the periodic convolution as in
 /// projected_cg.hpp. Unknowns are the elements' forces, p a b, which keeps several grids together
@@ -30,6 +33,7 @@
 #include <vector>
 
 #include "half_space/box_convolution.hpp"
+#include "half_space/steel.hpp"
 #include "mechanics/cascade.hpp"
 #include "mechanics/coupled_influence.hpp"
 #include "mechanics/normal_contact.hpp"
@@ -51,7 +55,8 @@ public:
   /// influence (none: the patches do not interact).
   /// Throws Error(invalid_argument) for grids, sizes or a modulus outside their range.
   void set_contact(std::span<const SolvedPatch> patches, double combined_modulus,
-                   PatchInfluence* influence = nullptr);
+                   PatchInfluence* influence = nullptr,
+                   std::span<const YieldingBody> yielding = {});
 
   /// Pressures x, MPa, with A_CC x = b and x = 0 outside C: b and x have one field a patch, in mm
   /// and MPa. An empty field of b counts as 0, and so do values outside C.
@@ -60,7 +65,8 @@ public:
                          std::vector<std::vector<double>>& pressure, double tolerance = 1e-8,
                          int maximum_iterations = 5000);
 
-  /// What pressures of a patch displace at it, mm, and how that changes with the logarithm of the
+  /// What a patch's pressures, those of solvers, displace at it, mm, the indentation of steel that
+  /// yields included, and how that changes with the logarithm of the
   /// lateral step. (Displacements are lengths: with both steps they grow by themselves.)
   struct Displacements {
     std::vector<double> displacement;
@@ -80,6 +86,7 @@ private:
     ElementBox box;
     std::size_t begin = 0;      ///< of the box's elements among those of all boxes
     double unit = 1.0;          ///< displacement = unit * K * force
+    double self = 1.0;          ///< of an element at itself, likewise
     std::vector<double> angles; ///< of all rows of the grid, along a curve
     BoxConvolution<double> convolution;
     BoxConvolution<double> preconditioner;
@@ -111,6 +118,16 @@ private:
     std::vector<std::vector<double>> displacements;
   };
 
+  /// Of steel that yields, over all boxes; inside, excess is a force.
+  struct YieldingFields {
+    std::vector<double> excess;
+    std::vector<double> slope;
+  };
+
+  void set_groups();
+  void set_yielding(std::span<const SolvedPatch> patches, std::span<const YieldingBody> yielding);
+  Displacements elastic_displacements_of(const Patch& patch);
+  void displace_elastically(const Group& group, const double* force, double* displacement);
   void displace(const Group& group, const double* force, double* displacement);
   void precondition(const Group& group, const double* residual, double* correction);
   void put_pressure(const Patch& patch, const double* force, std::vector<double>& pressure);
@@ -132,8 +149,14 @@ private:
   std::vector<double> correction_;
   std::vector<double> direction_;
   std::vector<double> response_;
-  std::vector<double> gained_; ///< forces that the iteration has added to its start
-  std::vector<double> in_box_; ///< of one patch
+  std::vector<double> gained_;           ///< forces that the iteration has added to its start
+  std::vector<double> in_box_;           ///< of one patch
+  std::vector<YieldingFields> yielding_; ///< by body
+  std::vector<double> diagonal_;         ///< of steel that yields: sum_b P_b'' A P_b
+  std::vector<double> elastic_;          ///< of the preconditioner, E, ...
+  std::vector<double> jacobi_;           ///< ... and (1 - E^2)/diag(H)
+  std::vector<double> product_;
+  std::vector<double> by_body_;
   std::vector<std::vector<double>> full_pressure_;
   std::vector<std::vector<double>> full_displacement_;
 };

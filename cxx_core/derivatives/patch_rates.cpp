@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "derivatives/gap_rates.hpp"
+#include "mechanics/yielding.hpp"
 #include "remesh/constants.hpp"
 #include "remesh/met_distance.hpp"
 #include "remesh/rail_normals.hpp"
@@ -340,29 +341,42 @@ private:
   bool follows_ = true;
 };
 
-/// What the pressures displace more at each other counts as a change of the gaps.
+/// What the pressures displace more at each other counts as a change of the gaps; of steel that
+/// yields also what its excess displaces, times its slope.
 void add_influence_rates(std::span<const LoadedPatch> patches, const SensitivityRequest& request,
                          std::vector<Fields>& gap_rates) {
   const ByMotion<PatchInfluence*>& changes = request.influence_rates;
-  Fields pressure;
+  bool any = false;
+  for (std::size_t motion = 0; motion < motion_count; ++motion) {
+    any = any || changes[motion] != nullptr;
+  }
+  if (!any) {
+    return;
+  }
+  std::vector<Fields> displacing(1 + request.yielding.size());
+  std::vector<YieldTerms> terms;
+  for (const LoadedPatch& patch : patches) {
+    displacing[0].push_back(over_scales(patch.grid, patch.row_scales, patch.pressure));
+    terms.emplace_back(patch.grid, displacing[0].back(), patch.row_scales, request.yielding);
+    for (std::size_t b = 0; b < request.yielding.size(); ++b) {
+      displacing[b + 1].push_back(terms.back().excess[b]);
+    }
+  }
   Fields displacement(patches.size());
   for (std::size_t motion = 0; motion < motion_count; ++motion) {
-    if (changes[motion] == nullptr) {
-      continue;
-    }
-    for (std::size_t k = 0; k < patches.size(); ++k) {
-      const LoadedPatch& patch = patches[k];
-      if (pressure.size() < patches.size()) {
-        pressure.push_back(over_scales(patch.grid, patch.row_scales, patch.pressure));
+    for (std::size_t b = 0; changes[motion] != nullptr && b < displacing.size(); ++b) {
+      for (std::size_t k = 0; k < patches.size(); ++k) {
+        displacement[k].assign(patches[k].pressure.size(), 0.0);
       }
-      displacement[k].assign(patch.pressure.size(), 0.0);
-    }
-    changes[motion]->add(pressure, displacement);
-    for (std::size_t k = 0; k < patches.size(); ++k) {
-      std::vector<double>& rates = gap_rates[k][motion];
-      const std::vector<double> added =
-          over_scales(patches[k].grid, patches[k].row_scales, displacement[k]);
-      std::ranges::transform(rates, added, rates.begin(), std::plus<>());
+      changes[motion]->add(displacing[b], displacement);
+      for (std::size_t k = 0; k < patches.size(); ++k) {
+        std::vector<double>& rates = gap_rates[k][motion];
+        const std::vector<double> added =
+            over_scales(patches[k].grid, patches[k].row_scales, displacement[k]);
+        for (std::size_t i = 0; i < rates.size(); ++i) {
+          rates[i] += b == 0 ? added[i] : terms[k].slope[b - 1][i] * added[i];
+        }
+      }
     }
   }
 }
@@ -381,9 +395,10 @@ WheelSensitivity compute_patch_rates(const PosedPair& pair, std::span<const Load
     angles.push_back(row_angles(patch.frame, patch.grid));
   }
   for (std::size_t k = 0; k < patches.size(); ++k) {
-    solved.push_back({patches[k].grid, patches[k].pressure, request.elements, angles[k]});
+    solved.push_back(
+        {patches[k].grid, patches[k].pressure, request.elements, angles[k], patches[k].row_scales});
   }
-  solver.set_contact(solved, request.combined_modulus, request.influence);
+  solver.set_contact(solved, request.combined_modulus, request.influence, request.yielding);
 
   const auto motions = all_motions(pair.pose.yaw);
   const Vector3 centre{0.0, pair.pose.lateral, pair.vertical};

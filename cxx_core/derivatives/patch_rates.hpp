@@ -81,6 +81,7 @@ struct SensitivityRequest {
   Elements elements = Elements::constant;
   double tolerance = 1e-8;             ///< of the linear solutions
   PatchInfluence* influence = nullptr; ///< of the patches on each other
+  std::span<const YieldingBody> yielding = {};
   /// How that influence itself changes with each motion, per mm or rad; null where it does not.
   ByMotion<PatchInfluence*> influence_rates = {};
 };

@@ -216,6 +216,7 @@ WheelRates compute_rates(const WheelResult& side) {
   SensitivityRequest request;
   request.combined_modulus = details.request.combined_modulus;
   request.elements = details.request.elements;
+  request.yielding = yielding_of(*patches.front(), details);
   request.tolerance = sensitivity_tolerance;
   std::optional<CoupledInfluence> influence;
   if (details.interaction) {

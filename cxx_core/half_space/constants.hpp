@@ -4,7 +4,9 @@
 /// measures it) or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <string_view>
 
 namespace wrc {
 
@@ -56,6 +58,46 @@ inline constexpr std::size_t difference_reach = 2;
 /// Fraction of the accuracy below which the effect of different materials counts as none.
 /// origin: reasoned: too little to show in any result.
 inline constexpr double negligible_material_effect = 1e-3;
+
+/// Steels (steel.hpp): where the law begins, in yield stresses, its exponent and its stiffness.
+/// origin: measured (pmax and area of 40 contacts by finite elements, yield stress 300 to 700 MPa,
+/// evidence page half-space.md): 1.3 to 1.6 and 2.5 to 3, each with its best stiffness, fit as
+/// well.
+inline constexpr double yield_onset = 1.44;
+inline constexpr double yield_exponent = 2.53;
+inline constexpr double yield_stiffness = 0.373;
+
+/// Range over which the estimate of yielded pressures saturates, in yield stresses.
+/// origin: measured (the same contacts): their largest pressures, within 4 to 7 %.
+inline constexpr double yield_estimate_range = 1.22;
+
+struct SteelGrade {
+  std::string_view name;
+  double yield_stress;
+  std::string_view source;
+};
+inline constexpr std::string_view of_wheel_grade = "EN 13262, the least that it requires";
+inline constexpr std::string_view of_rail_grade = "estimate: 0.55 of the tensile strength";
+inline constexpr std::string_view of_hardened_grade = "estimate: 0.65 of the tensile strength";
+
+/// Yield stresses by name, MPa.
+/// origin: published (EN 13262, quoted from memory), and reasoned of rails: fractions of the
+/// tensile strengths of EN 13674-1.
+inline constexpr std::array steel_grades{SteelGrade{"ER6", 500.0, of_wheel_grade},
+                                         SteelGrade{"ER7", 520.0, of_wheel_grade},
+                                         SteelGrade{"ER8", 540.0, of_wheel_grade},
+                                         SteelGrade{"ER9", 580.0, of_wheel_grade},
+                                         SteelGrade{"R200", 370.0, of_rail_grade},
+                                         SteelGrade{"R220", 420.0, of_rail_grade},
+                                         SteelGrade{"R260", 480.0, of_rail_grade},
+                                         SteelGrade{"R320Cr", 600.0, of_rail_grade},
+                                         SteelGrade{"R350HT", 760.0, of_hardened_grade},
+                                         SteelGrade{"R370CrHT", 830.0, of_hardened_grade},
+                                         SteelGrade{"R400HT", 830.0, of_hardened_grade}};
+
+/// Yield stress in shear of rails whose yield stress is not given, MPa.
+/// origin: derived: 1/sqrt(3) of 520 MPa, between R260 and R320Cr.
+inline constexpr double usual_shear_yield = 300.0;
 
 /// K of bodies whose constants differ by rounding only.
 /// origin: derived: four units in the last place of each of the terms of K, which are 0.25 at most.

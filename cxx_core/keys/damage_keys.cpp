@@ -100,9 +100,10 @@ std::vector<Key> make_damage_keys() {
       number_key(
           {"wear.scale", "1.0", "0 to 1e6", "factor on every law, for lubrication or other steels"},
           {0.0, 1e6}, pure, law_place(&WearRequest::scale)),
-      number_key({"fatigue.shear_yield", "300.0", "1 to 1e9 MPa",
-                  "yield stress in shear k of shakedown map and surface fatigue index"},
-                 {1.0, 1e9}, stress, damage_place(&DamageRequest::shear_yield))};
+      optional_key({"fatigue.shear_yield", "\"auto\"", "\"auto\" or 1 to 1e9 MPa",
+                    "yield stress in shear k of shakedown map and surface fatigue index; auto: "
+                    "1/sqrt(3) of the yield stress of stress.body, or 300 MPa if it has none"},
+                   {1.0, 1e9}, stress, &Scene::shear_yield, "auto")};
 }
 
 } // namespace wrc

@@ -104,6 +104,13 @@ void add_unused(std::vector<Row>& rows) {
       " is not used: no rail varies along the track");
   add({"pose.pitch"}, {}, has_round_wheels, " is not used: no wheel varies around its axle");
 
+  add(
+      {"material.wheel.yield_stress", "material.rail.yield_stress"}, {},
+      [](const Scene& s) {
+        return s.model == ModelRequest::hertz || s.model == ModelRequest::kik_piotrowski ||
+               s.solver == SolverChoice::paper;
+      },
+      " changes left.state alone: only the half-space yields, with solve.method = \"auto\"");
   add({"solve.grid"}, {"solve.accuracy"}, [](const Scene& s) { return !s.grid; });
   add(
       {"solve.results"}, {},

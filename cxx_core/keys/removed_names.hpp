@@ -37,6 +37,9 @@ inline constexpr std::array removed_names{
     RemovedName{NameOf::key, "track.superelevation",
                 "gravity and cant deficiency belong to the vehicle's loads: use load.left and "
                 "load.right"},
+    RemovedName{NameOf::key, "material.yield_pressure",
+                "use material.rail.yield_stress and material.wheel.yield_stress, with which steel "
+                "yields from 1.44 of the smaller one on"},
     RemovedName{NameOf::key, "solve.slip", "slip is taken at each element"},
     RemovedName{NameOf::key, "solve.slip_surface", "slip is taken on the surface of the wheel"},
     RemovedName{NameOf::key, "solve.gap", "use solve.method = \"paper\" for vertical gaps"},

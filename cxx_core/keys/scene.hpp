@@ -16,6 +16,7 @@
 #include "geometry/wheel_surface.hpp"
 #include "half_space/fft.hpp"
 #include "half_space/material.hpp"
+#include "half_space/steel.hpp"
 #include "keys/constants.hpp"
 #include "keys/convention.hpp"
 #include "measured/read_options.hpp"
@@ -87,9 +88,11 @@ struct Scene : WheelOptions {
 
   Material wheel_material{210000.0, 0.3};
   Material rail_material{210000.0, 0.3};
-  std::optional<double> yield_pressure; ///< of a state only (results/wheel_state.hpp), MPa
-  DamageRequest damage;                 ///< except its Poisson's ratio, which is that of the body
-  bool kalker = false;                  ///< whether PatchResult::kalker is requested
+  Steel wheel_steel;
+  Steel rail_steel;
+  DamageRequest damage; ///< except Poisson's ratio and shear yield, which are those of the body
+  std::optional<double> shear_yield; ///< of `damage`; by the body's yield stress if not set
+  bool kalker = false;               ///< whether PatchResult::kalker is requested
 
   double lateral = 0.0;
   double yaw = 0.0;
@@ -139,6 +142,10 @@ struct SolverOptions {
   PlannerRigor planner = PlannerRigor::estimate;
   Precision precision = Precision::mixed; ///< of the iteration for pressures
 };
+
+std::vector<YieldingBody> yielding_bodies_of(const Scene& scene);
+/// With Poisson's ratio and shear yield of the body that it asks for.
+DamageRequest damage_request_of(const Scene& scene);
 
 /// Whether a profile is that of a slices file.
 bool is_sliced(const ProfileChoice& choice);

@@ -26,6 +26,25 @@ std::vector<Key> convention_keys() {
   return keys;
 }
 
+constexpr std::string_view yield_range =
+    "\"none\", 1 to 1e9 MPa, or one of \"ER6\" to \"ER9\", \"R200\", \"R220\", \"R260\", "
+    "\"R320Cr\", \"R350HT\", \"R370CrHT\", \"R400HT\"";
+
+Key yield_key(const KeyDescription& description, Steel Scene::*place) {
+  Key key = optional_key(
+      description, {1.0, 1e9},
+      stress, [place](auto& scene) -> auto& { return (scene.*place).yield_stress; }, "none");
+  key.set_number = [place](Scene& scene, double value) { scene.*place = {value, {}}; };
+  key.set_text = [place](Scene& scene, std::string_view value) {
+    const std::optional<Steel> found = value == "none" ? Steel{} : steel_of_grade(value);
+    if (found) {
+      scene.*place = *found;
+    }
+    return found.has_value();
+  };
+  return key;
+}
+
 std::vector<Key> material_keys() {
   constexpr std::string_view modulus_range = "1 to 1e9 MPa";
   constexpr std::string_view poisson_range = "0 to 0.5";
@@ -51,14 +70,18 @@ std::vector<Key> material_keys() {
       modulus("material.youngs_modulus", "Young's modulus of wheel and rail", wheel_modulus,
               rail_modulus),
       poisson("material.poisson", "Poisson's ratio of wheel and rail", wheel_poisson, rail_poisson),
-      optional_key({"material.yield_pressure", "\"none\"", "\"none\" or 1 to 1e9 MPa",
-                    "maximum pressure above which left.state and right.state report beyond yield; "
-                    "changes no other result"},
-                   {1.0, 1e9}, stress, &Scene::yield_pressure, "none"),
       modulus("material.wheel.youngs_modulus", "Young's modulus of the wheel alone", wheel_modulus),
       poisson("material.wheel.poisson", "Poisson's ratio of the wheel alone", wheel_poisson),
+      yield_key({"material.wheel.yield_stress", "\"none\"", yield_range,
+                 "yield stress of the wheel's steel, by number or by the name of its grade; none: "
+                 "it stays elastic"},
+                &Scene::wheel_steel),
       modulus("material.rail.youngs_modulus", "Young's modulus of the rail alone", rail_modulus),
-      poisson("material.rail.poisson", "Poisson's ratio of the rail alone", rail_poisson)};
+      poisson("material.rail.poisson", "Poisson's ratio of the rail alone", rail_poisson),
+      yield_key({"material.rail.yield_stress", "\"none\"", yield_range,
+                 "yield stress of the rail's steel, by number or by the name of its grade; none: "
+                 "it stays elastic"},
+                &Scene::rail_steel)};
 }
 
 std::vector<Key> pose_keys() {

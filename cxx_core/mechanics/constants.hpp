@@ -127,6 +127,18 @@ inline constexpr double pressure_error_per_gap_error = 70.0;
 /// origin: bound: it takes 5 to 30; the limit ends what does not converge.
 inline constexpr int strip_step_limit = 200;
 
+/// Steel that yields (yielding.cpp): part of the residual that conjugate gradients leave of a
+/// step of Newton's method, ...
+/// origin: reasoned: a step of the last length, that of the tolerance, then leaves a tenth of it.
+inline constexpr double yield_step_tolerance = 0.1;
+/// ... halvings of a step that would lead to more energy, steps, ...
+/// origin: bound: a step takes one part or two; there are 3 to 10 steps.
+inline constexpr int yield_halvings = 20;
+inline constexpr int yield_rounds = 60;
+/// ... and the part of the energy that rounding may add.
+/// origin: derived: some thousand roundings of double precision.
+inline constexpr double yield_energy_rounding = 1e-12;
+
 /// Nodes of the interpolation in either direction.
 /// origin: reasoned: with 16 the error stays below 1.5 times the requested one unless boxes are
 /// nearly in touch (patch_coupling.hpp); fewer than 4 would not carry the moments of the loads.

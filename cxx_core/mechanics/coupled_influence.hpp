@@ -20,7 +20,8 @@ struct SolvedPatch {
   Grid grid;
   std::span<const double> pressure;
   Elements elements = Elements::constant;
-  std::span<const double> angles = {}; ///< of rows along a curve
+  std::span<const double> angles = {};     ///< of rows along a curve
+  std::span<const double> row_scales = {}; ///< of these pressures over those of solvers
 };
 
 /// What patches do to each other, if anything. One field a patch, in the order of its grid.

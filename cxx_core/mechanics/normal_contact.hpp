@@ -25,6 +25,7 @@
 
 #include "base/grid.hpp"
 #include "half_space/influence_coefficients.hpp"
+#include "half_space/steel.hpp"
 
 namespace wrc {
 
@@ -36,6 +37,8 @@ struct PatchGap {
   std::span<const double> start = {};  ///< pressures to start from, MPa; none: by itself
   std::span<const double> shares = {}; ///< s of each element, positive; none: of all the same
   std::span<const double> angles = {}; ///< of rows along a curve, rad; none: a plane
+  /// Factors of rows from these pressures to those that make the bodies yield; none: 1.
+  std::span<const double> row_scales = {};
 
   [[nodiscard]] double share(std::size_t element) const {
     return shares.empty() ? approach_cosine : shares[element];
@@ -66,6 +69,7 @@ struct NormalProblem {
   int maximum_iterations = 5000;
   Elements elements = Elements::constant;
   const PatchInteraction* interaction = nullptr; ///< none: the patches do not interact
+  std::span<const YieldingBody> yielding = {};   ///< of NormalSolver::solve_yielding alone
 };
 
 /// Precision of the iteration's directions. Answers meet the tolerance with both.

@@ -11,6 +11,7 @@
 #include "mechanics/exterior_check.hpp"
 #include "mechanics/projected_cg.hpp"
 #include "mechanics/scaled_problem.hpp"
+#include "mechanics/yielding.hpp"
 
 namespace wrc {
 
@@ -254,6 +255,27 @@ NormalSolver& NormalSolver::operator=(NormalSolver&&) noexcept = default;
 NormalSolution NormalSolver::solve(const NormalProblem& problem) {
   check_problem(problem);
   return state_->solve(problem);
+}
+
+NormalSolution NormalSolver::solve_yielding(const NormalProblem& problem) {
+  NormalSolution elastic;
+  std::vector<PatchGap> started(problem.patches.begin(), problem.patches.end());
+  const auto is_empty = [](const PatchGap& gap) {
+    return std::ranges::none_of(gap.start, [](double p) { return p > 0.0; });
+  };
+  if (std::ranges::all_of(started, is_empty)) {
+    elastic = solve(problem);
+    for (std::size_t k = 0; k < started.size(); ++k) {
+      started[k].start = elastic.patches[k].pressure;
+    }
+  }
+  NormalProblem from_there = problem;
+  from_there.patches = started;
+  NormalSolution solution = wrc::solve_yielding(from_there, state_->cache);
+  solution.iterations += elastic.iterations;
+  solution.convolutions += elastic.convolutions;
+  state_->cache.drop_unused();
+  return solution;
 }
 
 } // namespace wrc

@@ -34,6 +34,10 @@ public:
   /// kept from earlier calls (plans, tables, memory) changes no bit of the answer.
   NormalSolution solve(const NormalProblem& problem);
 
+  /// The problem with bodies that yield (mechanics/yielding.hpp), from pressures near the answer;
+  /// without any from the elastic solution.
+  NormalSolution solve_yielding(const NormalProblem& problem);
+
 private:
   struct State;
   std::unique_ptr<State> state_;

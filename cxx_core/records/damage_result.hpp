@@ -8,6 +8,7 @@
 #include "damage/fatigue.hpp"
 #include "damage/subsurface_stress.hpp"
 #include "damage/wear.hpp"
+#include "half_space/constants.hpp"
 
 namespace wrc {
 
@@ -18,7 +19,7 @@ struct DamageRequest {
   bool of_wheel = false;       ///< stresses in the wheel instead of the rail
   bool section_across = false; ///< the section of stresses lies across the rail, else along it
   double poisson = 0.3;        ///< of that body
-  double shear_yield = 300.0;  ///< k, MPa
+  double shear_yield = usual_shear_yield; ///< k, MPa
   WearRequest law{WearLaw::usfd, 6.75e-7, 3000.0, 1.0};
 
   [[nodiscard]] bool any() const { return stress || wear || fatigue; }

@@ -6,10 +6,12 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "accuracy/accuracy_of.hpp"
 #include "accuracy/element_limit.hpp"
 #include "half_space/influence_coefficients.hpp"
+#include "half_space/steel.hpp"
 #include "patches/contact_patch.hpp"
 #include "records/module.hpp"
 #include "remesh/undeformed_distance.hpp"
@@ -45,6 +47,7 @@ struct WheelOptions : PatchOptions {
 
 struct WheelRequest : WheelOptions {
   double combined_modulus = 0.0;
+  std::vector<YieldingBody> yielding; ///< none: both are elastic
   /// Exactly one of the three is set.
   std::optional<double> vertical_load; ///< N
   std::optional<double> normal_load;   ///< N, along the normal of the main patch

@@ -15,6 +15,11 @@ std::vector<const PatchResult*> solved_patches(const WheelResult& side) {
   return patches;
 }
 
+std::span<const YieldingBody> yielding_of(const Patch& patch, const WheelDetails& side) {
+  return patch.elastic_peak ? std::span<const YieldingBody>(side.request.yielding)
+                            : std::span<const YieldingBody>();
+}
+
 std::string of_patch(const WheelResult& wheel, std::size_t index) {
   return wheel.patches.size() > 1 ? "patch " + std::to_string(index) + ": " : std::string();
 }

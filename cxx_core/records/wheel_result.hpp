@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -115,6 +116,7 @@ struct WheelResult {
   std::optional<double> validity; ///< of an approximate model, see patch_model.hpp
   std::string model;              ///< used for this side, and ...
   std::string model_reason;       ///< ... why
+  std::string steels;             ///< of wheel and rail, and where their yield stress is from
   int iterations = 0;
   int convolutions = 0;
   int solutions = 0;
@@ -131,6 +133,9 @@ struct WheelResult {
 
 /// The patches as they were solved, those of one plane one by one. Valid as long as the result.
 std::vector<const PatchResult*> solved_patches(const WheelResult& side);
+
+/// The bodies whose steel yields in the solution that a patch is of; none if it is elastic.
+std::span<const YieldingBody> yielding_of(const Patch& patch, const WheelDetails& side);
 
 /// "patch 1: ", with which warnings of a patch begin; nothing if the wheel has one patch only.
 std::string of_patch(const WheelResult& wheel, std::size_t index);

@@ -6,6 +6,7 @@
 
 #include "accuracy/model_error.hpp"
 #include "half_space/displacement_operator.hpp"
+#include "mechanics/yielding.hpp"
 #include "remesh/row_scales.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "results/constants.hpp"
@@ -194,6 +195,9 @@ Patch combined(std::span<const Patch> parts, const RailSurface& rail) {
     whole.plane_error = std::max(whole.plane_error, part.plane_error);
     whole.contact_force.force = whole.contact_force.force + part.contact_force.force;
     whole.approach = std::max(whole.approach, part.approach);
+    if (part.elastic_peak) {
+      whole.elastic_peak = std::max(whole.elastic_peak.value_or(0.0), *part.elastic_peak);
+    }
   }
   mean = (1.0 / weight) * mean;
   whole.frame = parts.front().frame.seen_from({mean.x, mean.y, height_near(rail, mean.x, mean.y)});
@@ -221,10 +225,17 @@ std::vector<double> combined_pressure(const PatchResult& whole) {
 }
 
 std::vector<double> displacement_of(const PatchResult& patch, const WheelDetails& side) {
-  std::vector<double> values(patch.grid.element_count());
-  DisplacementOperator(patch.grid, side.request.combined_modulus, side.request.elements,
-                       row_angles(patch.frame, patch.grid))
-      .apply(over_scales(patch.grid, patch.row_scales, patch.pressure), values);
+  const std::vector<double> pressure = over_scales(patch.grid, patch.row_scales, patch.pressure);
+  std::vector<double> values(pressure.size());
+  DisplacementOperator displace(patch.grid, side.request.combined_modulus, side.request.elements,
+                                row_angles(patch.frame, patch.grid));
+  displace.apply(pressure, values);
+  const YieldTerms terms(patch.grid, pressure, patch.row_scales, yielding_of(patch, side));
+  for (std::size_t b = 0; b < terms.excess.size(); ++b) {
+    std::vector<double> by_excess(pressure.size());
+    displace.apply(terms.excess[b], by_excess);
+    terms.add_indentation(b, by_excess, values);
+  }
   return over_scales(patch.grid, patch.row_scales, values);
 }
 
@@ -243,8 +254,17 @@ std::vector<double> combined_displacement(const PatchResult& whole, const WheelD
                                 row_angles(whole.frame, grid));
   std::vector<Values> by_part;
   std::vector<Cells> rows;
+  const std::span<const YieldingBody> bodies = yielding_of(whole, side);
+  const YieldTerms terms(grid, bodies.empty() ? Values() : combined_pressure(whole), {}, bodies);
   for (const PatchResult& part : whole.parts) {
-    displace.apply(averaged(part, whole), by_part.emplace_back(grid.element_count()));
+    const Values pressure = averaged(part, whole);
+    displace.apply(pressure, by_part.emplace_back(grid.element_count()));
+    const YieldTerms of_part(grid, pressure, {}, bodies);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      Values by_excess(grid.element_count());
+      displace.apply(of_part.excess[b], by_excess);
+      terms.add_indentation(b, by_excess, by_part.back());
+    }
     rows.push_back(rows_of(part.grid, shift_of(part.frame, whole.frame).lateral));
   }
   Values values;

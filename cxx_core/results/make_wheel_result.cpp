@@ -197,7 +197,7 @@ void note_unresolved(WheelResult& result) {
   const double with_twice_the_elements =
       std::numbers::ln2 * growth_at_ridge(largest.ridge, result.details.request.combined_modulus);
   if (!(result.discretisation_error.value_or(0.0) > unresolved_peak) &&
-      !(with_twice_the_elements > unbounded_growth * largest.pmax)) {
+      (largest.elastic_peak || !(with_twice_the_elements > unbounded_growth * largest.pmax))) {
     return;
   }
   result.is_unbounded = true;

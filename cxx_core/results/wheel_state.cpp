@@ -40,7 +40,7 @@ bool is_on_chamfer(const ProfileNodes& nodes, double s) {
 
 } // namespace
 
-std::optional<int> wheel_state(const WheelResult& wheel, std::optional<double> yield_pressure) {
+std::optional<int> wheel_state(const WheelResult& wheel) {
   if (!wheel.solved) {
     return std::nullopt;
   }
@@ -50,7 +50,9 @@ std::optional<int> wheel_state(const WheelResult& wheel, std::optional<double> y
     state |= is_on_flange_tip(nodes, patch.reference.s_wheel) ? on_flange_tip : 0;
     state |= is_on_chamfer(nodes, patch.reference.s_wheel) ? on_chamfer : 0;
   }
-  const bool yields = yield_pressure && (wheel.is_unbounded || wheel.pmax > *yield_pressure);
+  const std::vector<YieldingBody>& bodies = wheel.details.request.yielding;
+  const bool yields =
+      !bodies.empty() && (wheel.is_unbounded || wheel.pmax > onset_of_yield(bodies));
   return state | (yields ? beyond_yield : 0);
 }
 

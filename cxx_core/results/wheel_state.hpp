@@ -2,7 +2,8 @@
 ///
 /// Lifted: no contact. On the flange tip: a patch lies beyond the steepest point of the flange,
 /// where nothing stops a climbing wheel (Nadal 1896). On the chamfer: a patch lies beyond the
-/// tread. Beyond yield: the largest pressure exceeds the limit given. At the end of a part: the
+/// tread. Beyond yield: the largest pressure is more than the softer of the two steels carries
+/// without yielding (half_space/steel.hpp). At the end of a part: the
 /// first touch is where a part of a rail that varies begins or ends, or such an end cuts a patch
 /// (cut_contact.hpp). Units mm, MPa. Thread rule: pure functions.
 ///
@@ -24,8 +25,8 @@ enum WheelState : int {
   at_part_end = 32
 };
 
-/// The flags together; none if the mechanics have not run. `yield_pressure`: none without a limit.
-std::optional<int> wheel_state(const WheelResult& wheel, std::optional<double> yield_pressure);
+/// The flags together; none if the mechanics have not run.
+std::optional<int> wheel_state(const WheelResult& wheel);
 
 /// Warns of a largest pressure that no steel of wheels and rails carries; of stiffer bodies, of one
 /// that no ceramic does.

@@ -5,6 +5,7 @@
 /// these getters. Values in mm, y left, z up. Thread rule: constants; getters are pure functions.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -91,6 +92,19 @@ inline double peak_of(bool is_unbounded, double value) {
   return is_unbounded ? none : value;
 }
 
+/// Largest pressure without yielding.
+inline double elastic_peak_of(const PatchResult& patch) {
+  return patch.elastic_peak.value_or(patch.pmax);
+}
+
+inline double elastic_peak_of(const WheelResult& wheel) {
+  double peak = 0.0;
+  for (const PatchResult& patch : wheel.patches) {
+    peak = std::max(peak, elastic_peak_of(patch));
+  }
+  return peak;
+}
+
 /// None of an approximate model.
 inline std::optional<double> of_plane(const PatchResult& patch, double value) {
   return patch.area ? std::nullopt : std::optional(value);
@@ -104,6 +118,8 @@ inline std::optional<double> kalker_of(const PatchResult& patch,
 
 inline constexpr std::array patch_numbers{
     OfPatch{"pmax", stress, [](const PatchResult& p) { return peak_of(p.is_unbounded, p.pmax); }},
+    OfPatch{"pmax_elastic", stress,
+            [](const PatchResult& p) { return peak_of(p.is_unbounded, elastic_peak_of(p)); }},
     OfPatch{"area", surface, [](const PatchResult& p) { return area_of_patch(p); }},
     OfPatch{"pmax_element", stress,
             [](const PatchResult& p) { return peak_of(p.is_unbounded, p.pmax_element); }},
@@ -216,6 +232,8 @@ inline std::optional<double> derailment_quotient_of(const WheelResult& wheel) {
 inline constexpr std::array side_numbers{
     OfWheel{"vertical", turning_length, member<&WheelResult::vertical>},
     OfWheel{"pmax", stress, [](const WheelResult& r) { return peak_of(r.is_unbounded, r.pmax); }},
+    OfWheel{"pmax_elastic", stress,
+            [](const WheelResult& r) { return peak_of(r.is_unbounded, elastic_peak_of(r)); }},
     OfWheel{"pmax_element", stress,
             [](const WheelResult& r) { return peak_of(r.is_unbounded, r.pmax_element); }},
     OfWheel{"area", surface,

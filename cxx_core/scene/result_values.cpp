@@ -201,6 +201,7 @@ void add_side_texts(std::vector<std::pair<std::string, std::string>>& texts,
                     const std::string& prefix, const WheelResult& side) {
   texts.emplace_back(prefix + "model", side.model);
   texts.emplace_back(prefix + "model_reason", side.model_reason);
+  texts.emplace_back(prefix + "steels", side.steels);
   texts.emplace_back(prefix + "stop_reason", name_of(side.stop_reason));
   for (std::size_t i = 0; i < side.warnings.size(); ++i) {
     texts.emplace_back(prefix + "warnings." + std::to_string(i), side.warnings[i].text);

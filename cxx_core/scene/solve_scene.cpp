@@ -36,6 +36,7 @@ WheelRequest request_of(const Scene& scene, double load) {
   WheelRequest request;
   static_cast<WheelOptions&>(request) = scene;
   request.combined_modulus = combined_modulus(scene.wheel_material, scene.rail_material);
+  request.yielding = yielding_bodies_of(scene);
   if (scene.vertical) {
     request.vertical = scene.vertical;
   } else if (scene.load_of == LoadOf::normal) {
@@ -219,6 +220,7 @@ void warn_of_pitch(const Scene& scene, const SceneResult& result, WheelResult& w
 /// solve_creep_forces have filled in the rest. Each act reads what those before it have written.
 void complete_wheel(const Scene& scene, const WheelLoads& loads, RollingSolver& solver,
                     SceneResult& result, SceneWheel& wheel) {
+  wheel.steels = text_of(scene.wheel_steel, scene.rail_steel);
   warn_of_residuals(wheel, scene.accuracy);
   if (!wheel.solved) {
     return;
@@ -245,12 +247,10 @@ void complete_wheel(const Scene& scene, const WheelLoads& loads, RollingSolver& 
   watch = {};
   wheel.total = total_force(wheel);
   add_up_forces(wheel);
-  wheel.state = wheel_state(wheel, scene.yield_pressure);
+  wheel.state = wheel_state(wheel);
   warn_of_pressure(wheel);
   if (scene.damage.any()) {
-    DamageRequest request = scene.damage;
-    request.poisson = (request.of_wheel ? scene.wheel_material : scene.rail_material).poisson;
-    find_damage(wheel, request);
+    find_damage(wheel, damage_request_of(scene));
     result.time.damage += watch.milliseconds();
   }
 }

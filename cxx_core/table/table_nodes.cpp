@@ -77,6 +77,13 @@ void check_scene_of_table(const Scene& scene) {
                            "in a table rails do not vary along the track, nor wheels around their "
                            "circumference");
   }
+  for (const auto& [steel, key] : {std::pair(&scene.wheel_steel, "material.wheel.yield_stress"),
+                                   std::pair(&scene.rail_steel, "material.rail.yield_stress")}) {
+    if (steel->yield_stress) {
+      throw_invalid_argument(key, *steel->yield_stress,
+                             "must be \"none\" in a table: its bodies are elastic");
+    }
+  }
   if (scene.curved != CurvedChoice::no) {
     throw_invalid_argument("solve.curved", "not \"no\"", "contact in a table is in planes");
   }

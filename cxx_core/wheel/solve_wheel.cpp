@@ -18,6 +18,7 @@
 #include "wheel/depth_checks.hpp"
 #include "wheel/grid_plan.hpp"
 #include "wheel/wheel_warnings.hpp"
+#include "wheel/yielded_wheel.hpp"
 
 namespace wrc {
 namespace {
@@ -84,6 +85,8 @@ private:
   GridChoice final_grids(double depth, const AccuracyGoal& goal);
   GridSolution solve_coarsely(double depth);
   GridSolution solve_finally(double depth, std::optional<GridSolution> before);
+  GridSolution let_steel_yield(double depth, const std::optional<GridSolution>& coarse,
+                               GridSolution elastic);
   void find_peaks(GridSolution& solution);
   [[nodiscard]] PosedPair posed(double depth) const {
     return {wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - depth};
@@ -102,8 +105,9 @@ private:
   std::vector<RailNormals> rail_normals_; ///< of the grids sampled last
   ErrorEstimate error_;
   double interaction_error_ = 0.0;
-  double load_imbalance_ = 0.0;  ///< of the last solution, before its pressures were scaled
-  double elements_wanted_ = 0.0; ///< most that grids would have without their limit
+  double load_imbalance_ = 0.0;         ///< of the last solution, before its pressures were scaled
+  double elements_wanted_ = 0.0;        ///< most that grids would have without their limit
+  std::optional<GridSolution> elastic_; ///< once steel yields: what it would be without
   WheelSolution result_;
 };
 
@@ -242,7 +246,7 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
                  over_scales(patch.grid, patch.row_scales, patch.pressure),
                  row_angles(patch.frame, patch.grid)};
     gaps.push_back({patch.grid, scaled[k].distance, patch.frame.normal.z, scaled[k].pressure,
-                    scaled[k].approach_shares, scaled[k].angles});
+                    scaled[k].approach_shares, scaled[k].angles, patch.row_scales});
   }
   NormalProblem problem;
   problem.patches = gaps;
@@ -264,10 +268,12 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
   }
   problem.elements = request_.elements;
   problem.interaction = solution.interaction ? &*solution.interaction : nullptr;
+  problem.yielding = request_.yielding;
   ++result_.solutions;
   NormalSolution solved = request_.solver == SolverChoice::paper && problem.patches.size() == 1
                               ? solve_with_polonsky_keer(problem)
-                              : solver_.solve(problem);
+                          : elastic_ ? solver_.solve_yielding(problem)
+                                     : solver_.solve(problem);
   for (std::size_t k = 0; k < solution.patches.size(); ++k) {
     Patch& patch = solution.patches[k];
     patch.pressure = times_scales(patch.grid, patch.row_scales, solved.patches[k].pressure);
@@ -344,7 +350,9 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
       continue;
     }
     find_ridges(solution, posed(solution.depth));
-    if (!of_forces) {
+    if (elastic_) {
+      set_elastic_peaks(solution, *elastic_, request_.yielding);
+    } else if (!of_forces) {
       find_peaks(solution);
     }
     error_ = estimate_error(solution, goal_);
@@ -365,6 +373,21 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
     depth = next_depth(solution, depth);
     before = std::move(solution);
   }
+}
+
+/// From the depth of the coarse solution on, as if it had yielded from the beginning.
+GridSolution WheelSolver::let_steel_yield(double depth, const std::optional<GridSolution>& coarse,
+                                          GridSolution elastic) {
+  elastic_ = std::move(elastic);
+  elements_wanted_ = 0.0;
+  std::erase_if(result_.warnings,
+                [](const Warning& warning) { return warning.kind == WarningClass::not_settled; });
+  GridSolution before = softened(coarse ? *coarse : *elastic_, request_.yielding);
+  if (coarse) {
+    before = solve_at(depth, GridChoice(coarse_counts()), coarse_tolerance, &before);
+    depth = next_depth(before, depth);
+  }
+  return solve_finally(depth, std::move(before));
 }
 
 void WheelSolver::warn_of_limit() {
@@ -433,17 +456,23 @@ WheelSolution WheelSolver::solve() {
     publish(sample_only(depth));
     return std::move(result_);
   }
+  const double depth_at_first = depth;
   std::optional<GridSolution> coarse;
   if (!request_.position_is_prescribed()) {
     coarse = solve_coarsely(depth);
     depth = next_depth(*coarse, depth);
   }
-  GridSolution solution = solve_finally(depth, std::move(coarse));
+  const bool may_yield = !request_.yielding.empty() && request_.solver == SolverChoice::standard;
+  GridSolution solution = solve_finally(depth, may_yield ? coarse : std::move(coarse));
+  if (may_yield && yields(solution, request_.yielding)) {
+    solution = let_steel_yield(depth_at_first, coarse, std::move(solution));
+  }
   warn_of_solution(solution, request_, wheel_.radius(), {error_.ridge, interaction_error_},
                    result_);
   warn_of_limit();
   publish(std::move(solution));
   warn_of_patches(request_, result_);
+  state_error_of_yield(result_);
   return std::move(result_);
 }
 

@@ -271,9 +271,10 @@ void plot_pressure(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
   const double pmax =
       value("pmax"); // not-a-number where an end of a body leaves it without a bound
   const bool is_bounded = std::isfinite(pmax);
+  const double elastic = value("pmax_elastic"); // more than pmax where steel yields
   out << "set title 'p_{max} " << (is_bounded ? fixed(pmax, 0) + " MPa" : "without bound")
-      << ", area " << fixed(value("area"), 1) << " mm^2, vertical "
-      << force_text(value("vertical_force"))
+      << (elastic > pmax ? " (elastic " + fixed(elastic, 0) + ")" : std::string()) << ", area "
+      << fixed(value("area"), 1) << " mm^2, vertical " << force_text(value("vertical_force"))
       << "'\nset cblabel 'pressure, MPa' offset 1\nset key off\nset cbrange [0:"
       << (is_bounded ? general(pmax) : "*") << "]\n";
   write_axes(out, side, axes);

@@ -159,6 +159,11 @@ bool has_creep_forces(const Scene& scene) {
   });
 }
 
+bool is_of_steel(const Scene& scene) {
+  const auto sides = sides_of(scene);
+  return !sides.empty() && scene.text(sides.front() + ".steels") != "elastic";
+}
+
 void print_patch_forces(const Scene& scene, std::ostream& out) {
   const PatchPrinter table(scene, out);
   const char* unit = has_creep_forces(scene) ? "N, total" : "N";
@@ -171,6 +176,9 @@ void print_patch_forces(const Scene& scene, std::ostream& out) {
                                            {"angle", "mrad", "angle", 9, 2, 1e3},
                                            {"semi-axes", "x, mm", "semi_axes.longitudinal", 11, 2},
                                            {"", "y, mm", "semi_axes.lateral", 7, 2}};
+  if (is_of_steel(scene)) {
+    forces.insert(forces.begin() + 1, {"elastic", "MPa", "pmax_elastic", 10, 1});
+  }
   if (table.any_above("coupling_weight", 0.0)) {
     forces.push_back({"coupling", "weight", "coupling_weight", 11, 3});
   }
@@ -230,6 +238,9 @@ void print_smoothing(const Scene& scene, std::ostream& out) {
 }
 
 void print_texts(const Scene& scene, std::ostream& out) {
+  if (is_of_steel(scene)) {
+    out << "Steel: " << scene.text(sides_of(scene).front() + ".steels") << '\n';
+  }
   for (const std::string& correction : texts_of(scene, "corrections")) {
     out << "Corrected: " << one_line(correction) << '\n';
   }
@@ -263,6 +274,9 @@ void add_solution(const Scene& scene, SideTable& table) {
   table.head("Contact, all patches");
   table.count("patches", "patches");
   table.line("pmax", "MPa", "pmax", 2);
+  if (is_of_steel(scene)) {
+    table.line("  without yielding", "MPa", "pmax_elastic", 2);
+  }
   if (is_noisy(scene)) {
     table.line("  uncertain by profile, +-", "MPa", "spread.pmax", 2);
   }

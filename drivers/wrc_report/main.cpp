@@ -353,7 +353,9 @@ void add_positions(HtmlPage& page, const PictureFolder& folder,
                                               "contact angle, rad", "rolling radius, mm",
                                               "s on the wheel, mm", "t on the rail, mm"}};
   for (const Position& one : positions) {
-    rows.push_back({general(one.lateral), number(one.pmax, 0), number(one.area, 1),
+    const std::string elastic =
+        one.elastic > one.pmax ? " (elastic " + number(one.elastic, 0) + ')' : std::string();
+    rows.push_back({general(one.lateral), number(one.pmax, 0) + elastic, number(one.area, 1),
                     number(one.angle, 4), number(one.radius, 3), number(one.s_wheel, 2),
                     number(one.t_rail, 2)});
   }

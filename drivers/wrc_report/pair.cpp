@@ -65,6 +65,7 @@ Position solved(Scene& scene, double lateral) {
     }
     position.warnings = warnings_of(scene);
     position.pmax = scene.number("left.pmax");
+    position.elastic = scene.number("left.pmax_elastic");
     position.area = scene.number("left.area");
     position.angle = scene.number("left.angle");
     position.radius = scene.number("left.rigid_contact.rolling_radius");

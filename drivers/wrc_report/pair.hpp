@@ -47,6 +47,7 @@ struct Position {
   double lateral = 0.0;
   std::string trouble; ///< why there are no results; empty if there are
   double pmax = std::numeric_limits<double>::quiet_NaN();
+  double elastic = std::numeric_limits<double>::quiet_NaN(); ///< pmax if no steel yielded
   double area = std::numeric_limits<double>::quiet_NaN();
   double angle = std::numeric_limits<double>::quiet_NaN();
   double radius = std::numeric_limits<double>::quiet_NaN();

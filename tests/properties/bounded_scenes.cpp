@@ -111,8 +111,8 @@ void check_numbers(const wrcontact::Scene& scene, Told& told) {
   for (const std::string& name : scene.number_names()) {
     double value = 0.0;
     // Where an end of a body cuts a contact, and where points do not tell their noise.
-    const bool may_lack = name.ends_with("pmax") || name.ends_with("pmax_element") ||
-                          name.ends_with("traction_max") ||
+    const bool may_lack = name.ends_with("pmax") || name.ends_with("pmax_elastic") ||
+                          name.ends_with("pmax_element") || name.ends_with("traction_max") ||
                           name.find("spread.") != std::string::npos ||
                           name.find("smoothed_") != std::string::npos;
     if (wrc_scene_number(scene.handle(), name.c_str(), &value) != WRC_OK ||

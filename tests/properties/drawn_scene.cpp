@@ -178,6 +178,11 @@ void DrawnScene::draw_solution() {
   if (chance(0.05)) {
     set("solve.element_limit", std::floor(between_by_ratio(1e3, 1e5)));
   }
+  for (const char* key : {"material.wheel.yield_stress", "material.rail.yield_stress"}) {
+    if (chance(0.3)) {
+      set(key, between_by_ratio(200.0, 1200.0));
+    }
+  }
 }
 
 std::string DrawnScene::text_or(const std::string& key, const std::string& otherwise) const {
@@ -217,7 +222,8 @@ DrawnScene DrawnScene::stiffer(double factor) const {
     other.set("material.youngs_modulus", steel);
   }
   for (const char* key : {"material.youngs_modulus", "material.wheel.youngs_modulus",
-                          "material.rail.youngs_modulus", "load.left", "load.right", "load.both"}) {
+                          "material.rail.youngs_modulus", "material.wheel.yield_stress",
+                          "material.rail.yield_stress", "load.left", "load.right", "load.both"}) {
     other.multiply(key, factor);
   }
   return other;

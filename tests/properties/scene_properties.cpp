@@ -72,8 +72,8 @@ bool is_moment(const std::string& name) {
 }
 
 bool is_stress(const std::string& name) {
-  constexpr std::array ends{"pmax", "pmax_element", "stress.von_mises_max", "stress.shear",
-                            "stress.tension"};
+  constexpr std::array ends{"pmax",         "pmax_elastic",  "pmax_element", "stress.von_mises_max",
+                            "stress.shear", "stress.tension"};
   return std::any_of(ends.begin(), ends.end(),
                      [&name](const char* end) { return name.ends_with(end); });
 }
@@ -199,8 +199,8 @@ constexpr double implausible_pressure = 1e4;
 /// A largest pressure or traction without a bound, or without one that elements show, and a warning
 /// says so; a spread where points do not tell their noise, or cannot be smoothed.
 bool is_withheld(const Outcome& outcome, const std::string& name, double value) {
-  const bool is_peak =
-      name.ends_with(".pmax") || name.ends_with(".pmax_element") || name.ends_with(".traction_max");
+  const bool is_peak = name.ends_with(".pmax") || name.ends_with(".pmax_elastic") ||
+                       name.ends_with(".pmax_element") || name.ends_with(".traction_max");
   return std::isnan(value) &&
          (name.find("spread.") != std::string::npos ||
           name.find("smoothed_") != std::string::npos ||

@@ -108,11 +108,11 @@ def test_every_key_takes_the_value_it_gives():
 
 
 def test_values_of_all_kinds(tmp_path):
-    scene = wrcontact.Scene(lateral=np.float32(2), derivatives=True, grid=(64, 32), yield_pressure=None,
+    scene = wrcontact.Scene(lateral=np.float32(2), derivatives=True, grid=(64, 32), rail_yield_stress=None,
                             track_left_displacement=np.array([1, 0, 0.01]), threads=np.int64(2))
     assert scene["lateral"] == 2.0 and scene["solve.derivatives"] == "yes"
     assert list(scene["grid"]) == [64, 32] and list(scene["track.left.displacement"]) == [1, 0, 0.01]
-    assert scene["yield_pressure"] == "none" and scene["solve.threads"] == 2
+    assert scene["rail.yield_stress"] == "none" and scene["solve.threads"] == 2
     assert repr(wrcontact.Scene(lateral=3, rail="CHN60")) == (
         "wrcontact.Scene(track.rail='CHN60', pose.lateral=3.0)")
     scene.write(tmp_path / "scene.toml")

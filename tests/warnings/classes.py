@@ -144,6 +144,8 @@ CASES = {
     "no_interaction": Case("known in part", {
         **FLANGE_AND_TREAD, **LEFT}),
     "pressure": Case("is more than steel can carry", {"pose.lateral": 6.5, **QUICK, **LEFT}),
+    "first_pressing": Case("as at a first pressing", {
+        "material.rail.yield_stress": 500, "load.both": 1.2e5, **QUICK, **LEFT}),
     "creep_accuracy": Case("creep forces: accuracy 0.001 not reached", {
         "creepage.longitudinal": 0.001, "solve.element_limit": 1000, **LEFT}),
     "steady_forces": Case("creep forces change within a few contact lengths", {

@@ -1,6 +1,6 @@
 /// Jacobians of the contact forces of a wheel against central differences of whole scenes.
 ///
-///   compare_jacobian [SCENES [ACCURACY [OF_DIFFERENCES]]]     default 500 1e-2 1e-3
+///   compare_jacobian [SCENES [ACCURACY [OF_DIFFERENCES [YIELD]]]]     default 500 1e-2 1e-3
 ///
 /// Prints the table of docs/evidence/derivatives.md: for each position and velocity the error of
 /// its column of the Jacobian, moments over 750 mm, over the column's largest entry, and the
@@ -12,7 +12,8 @@
 /// without the contact's stiffness. Scenes are drawn at random, with the position prescribed at
 /// which a wheel carries 20 to 130 kN: S1002 and LMA on four rails, up to flange contact, creepages
 /// up to 0.3 %. The differences are those of scenes at the third argument: at the accuracy of the
-/// Jacobian they show whether forces and Jacobian belong together.
+/// Jacobian they show whether forces and Jacobian belong together. With the fourth the yield stress
+/// of both bodies is drawn, from it to six times it, MPa; then only scenes that yield count.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,6 +23,7 @@
 #include "arguments.hpp"
 #include "base/error.hpp"
 #include "derivatives/force_jacobian.hpp"
+#include "results/wheel_state.hpp"
 #include "support/random_wheels.hpp"
 #include "support/state_differences.hpp"
 
@@ -37,8 +39,13 @@ constexpr std::array<const char*, state_count> names{
 constexpr std::array<std::size_t, 2> held{0, 3}; // lateral, yaw
 
 /// A wheel under load, moving; without an Error if it stands on its rail.
-Scene moving_wheel(Draw& draw, int index, double accuracy) {
+Scene moving_wheel(Draw& draw, int index, double accuracy, double least_yield) {
   Scene scene = draw.wheel(index);
+  if (least_yield > 0.0) {
+    Draw steels(static_cast<unsigned>(index + 1));
+    scene.wheel_steel.yield_stress = least_yield * steels.between(1.0, 6.0);
+    scene.rail_steel.yield_stress = least_yield * steels.between(1.0, 6.0);
+  }
   scene.accuracy_of = AccuracyOf::forces;
   scene.accuracy = accuracy;
   const double speed = draw.between(5e3, 6e4);
@@ -141,20 +148,26 @@ Case compare(Scene scene, double of_differences) {
 }
 
 constexpr const char* usage =
-    "compare_jacobian [SCENES [ACCURACY [OF_DIFFERENCES]]]     default 500 1e-2 1e-3\n\n"
-    "Compares Jacobians of the contact forces of a wheel with differences of whole scenes.\n";
+    "compare_jacobian [SCENES [ACCURACY [OF_DIFFERENCES [YIELD]]]]     default 500 1e-2 1e-3\n\n"
+    "Compares Jacobians of the contact forces of a wheel with differences of whole scenes; with\n"
+    "YIELD, MPa, of steels of one to six times that yield stress.\n";
 
 int compare_all(const evidence::Arguments& arguments) {
   const int count = arguments.whole(0, "SCENES", 500);
   const double accuracy = arguments.positive(1, "ACCURACY", 1e-2);
   const double of_differences = arguments.positive(2, "OF_DIFFERENCES", 1e-3);
-  arguments.refuse_beyond(3);
+  const double least_yield = arguments.positive(3, "YIELD", 0.0);
+  arguments.refuse_beyond(4);
   std::array<Errors, state_count> errors;
   std::array<Errors, position_count> held_errors;
   Draw draw;
   for (int i = 0; i < count; ++i) {
     try {
-      const Case of = compare(moving_wheel(draw, i, accuracy), of_differences);
+      const Scene scene = moving_wheel(draw, i, accuracy, least_yield);
+      if (least_yield > 0.0 && (*solve_scene(scene).left->state & beyond_yield) == 0) {
+        continue;
+      }
+      const Case of = compare(scene, of_differences);
       for (std::size_t which = 0; which < state_count; ++which) {
         errors[which].add(of.found[which], of.one[which], of.other[which],
                           largest_of(of.without_slip[which]));

@@ -266,5 +266,20 @@ TEST(SceneKeys, GridCountsAreWholeNumbers) {
   error_text([&] { set_number(scene, "solve.threads", 1.5); }, ErrorCode::invalid_argument);
 }
 
+TEST(SceneKeys, AGradeSetsItsYieldStress) {
+  Scene scene;
+  set_text(scene, "material.rail.yield_stress", "R350HT");
+  EXPECT_EQ(std::get<double>(key_value(scene, "material.rail.yield_stress")), 760.0);
+  EXPECT_EQ(scene.rail_steel.grade, "R350HT");
+  EXPECT_FALSE(scene.wheel_steel.yield_stress);
+  set_number(scene, "material.rail.yield_stress", 700.0);
+  EXPECT_EQ(scene.rail_steel, (Steel{700.0, {}}));
+  set_text(scene, "material.rail.yield_stress", "none");
+  EXPECT_EQ(scene.rail_steel, Steel{});
+  const std::string text = error_text([&] { set_number(scene, "material.yield_pressure", 900.0); },
+                                      ErrorCode::unknown_name);
+  EXPECT_NE(text.find("use material.rail.yield_stress"), std::string::npos) << text;
+}
+
 } // namespace
 } // namespace wrc::test::scene_keys_test

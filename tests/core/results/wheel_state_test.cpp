@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "half_space/constants.hpp"
 #include "results/constants.hpp"
 #include "scene/solve_scene.hpp"
 
@@ -40,13 +41,18 @@ TEST(WheelStates, ContactOnTheChamferIsOffTheTread) {
   EXPECT_EQ(state_at(-90.0), on_chamfer);
 }
 
-TEST(WheelStates, ExceedingTheYieldPressureIsAState) {
+TEST(WheelStates, ExceedingTheOnsetOfTheSofterBodyIsAState) {
   Scene scene = scene_at(0.0);
   const double pmax = solve_scene(scene).left->pmax;
-  scene.yield_pressure = 1.01 * pmax;
-  EXPECT_EQ(*solve_scene(scene).left->state, 0);
-  scene.yield_pressure = 0.99 * pmax;
-  EXPECT_EQ(*solve_scene(scene).left->state, beyond_yield);
+  scene.wheel_steel.yield_stress = scene.rail_steel.yield_stress = 2.0 * pmax;
+  for (Steel Scene::*const softer : {&Scene::rail_steel, &Scene::wheel_steel}) {
+    const Steel before = scene.*softer;
+    (scene.*softer).yield_stress = 1.01 * pmax / yield_onset;
+    EXPECT_EQ(*solve_scene(scene).left->state, 0);
+    (scene.*softer).yield_stress = 0.99 * pmax / yield_onset;
+    EXPECT_EQ(*solve_scene(scene).left->state, beyond_yield);
+    scene.*softer = before;
+  }
 }
 
 TEST(WheelStates, LiftedMeansNoContactAndGeometryAloneHasNoState) {

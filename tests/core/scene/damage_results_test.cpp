@@ -252,5 +252,22 @@ TEST(DamageResults, FatigueByHand) {
             rail_damage(number(result, patch + "wear_number")));
 }
 
+TEST(DamageResults, ShearYieldFollowsFromTheBodysYieldStress) {
+  Scene scene = braked("fatigue");
+  const auto shear_yield = [&scene] {
+    SceneResult result = solve_scene(scene);
+    return number(result, "left.patches.0.pmax") /
+           number(result, "left.patches.0.fatigue.pressure_ratio");
+  };
+  EXPECT_NEAR(shear_yield(), 300.0, 1e-9);
+  set_number(scene, "material.rail.yield_stress", 900.0);
+  set_text(scene, "material.wheel.yield_stress", "ER9");
+  EXPECT_NEAR(shear_yield(), 900.0 / std::sqrt(3.0), 1e-9);
+  set_text(scene, "stress.body", "wheel");
+  EXPECT_NEAR(shear_yield(), 580.0 / std::sqrt(3.0), 1e-9);
+  set_number(scene, "fatigue.shear_yield", 250.0);
+  EXPECT_NEAR(shear_yield(), 250.0, 1e-9);
+}
+
 } // namespace
 } // namespace damage_results_test

@@ -3,7 +3,8 @@
 /// A left wheel at a prescribed position: forces along its lateral position y, height z and roll,
 /// about the axis of which the moment counts. Their derivatives by each other's coordinate are
 /// equal, from central differences of whole scenes and from the sensitivities reported; and each is
-/// minus the derivative of the elastic energy, E = sum p u dA/2, where u = -h under pressure.
+/// minus the derivative of the elastic energy, E = sum p u dA/2, where u = -h under pressure; of
+/// steel that yields with more of it (mechanics/yielding.hpp).
 #pragma once
 
 #include <algorithm>
@@ -20,7 +21,10 @@
 
 #include "creep/total_force.hpp"
 #include "derivatives/wheel_rates.hpp"
+#include "half_space/displacement_operator.hpp"
+#include "mechanics/yielding.hpp"
 #include "profile/profile.hpp"
+#include "remesh/row_scales.hpp"
 #include "scene/solve_scene.hpp"
 #include "support/random_wheels.hpp"
 
@@ -73,10 +77,28 @@ inline Scene frictionless_wheel(Draw& draw, int index) {
   return scene;
 }
 
+/// Of steel that yields, in its own patch, that by which the energy differs from half the product
+/// of pressures and distances: sum_b c_b (p P_b' - P_b).A P_b.
+inline double yielding_sum(const PatchResult& patch, const WheelDetails& details) {
+  const std::vector<double> pressure = over_scales(patch.grid, patch.row_scales, patch.pressure);
+  const YieldTerms terms(patch.grid, pressure, patch.row_scales, yielding_of(patch, details));
+  DisplacementOperator displace(patch.grid, details.request.combined_modulus,
+                                details.request.elements, row_angles(patch.frame, patch.grid));
+  double sum = 0.0;
+  for (std::size_t b = 0; b < terms.excess.size(); ++b) {
+    std::vector<double> by_excess(pressure.size());
+    displace.apply(terms.excess[b], by_excess);
+    for (std::size_t i = 0; i < pressure.size(); ++i) {
+      sum += (pressure[i] * terms.slope[b][i] - terms.excess[b][i]) * by_excess[i];
+    }
+  }
+  return sum;
+}
+
 inline double elastic_energy(const WheelResult& wheel) {
   double energy = 0.0;
   for (const PatchResult* patch : solved_patches(wheel)) {
-    double sum = 0.0;
+    double sum = yielding_sum(*patch, wheel.details);
     for (std::size_t i = 0; i < patch->pressure.size(); ++i) {
       sum -= patch->pressure[i] * patch->undeformed_distance[i];
     }

@@ -70,6 +70,9 @@ TEST(TableBuild, RefusesWhatATableCannotHave) {
   scene.model = ModelRequest::hertz;
   EXPECT_NE(message_of(scene, options).find("solve.model = hertz"), std::string::npos);
   scene = scene_of_small_table();
+  scene.rail_steel.yield_stress = 500.0;
+  EXPECT_NE(message_of(scene, options).find("material.rail.yield_stress = 500"), std::string::npos);
+  scene = scene_of_small_table();
   scene.right.radius = 459.0;
   EXPECT_NE(message_of(scene, options).find("both sides"), std::string::npos);
   scene = scene_of_small_table();

@@ -37,6 +37,34 @@ TEST(Energy, ForcesAreItsDerivativesAndTheirDerivativesAreSymmetric) {
   EXPECT_LE(asymmetric, 2);
 }
 
+/// From the onset of yield to three times as much, in the contact that is elastic above.
+TEST(Energy, OfSteelThatYieldsHasTheSameDerivatives) {
+  int yielding = 0;
+  Draw draw;
+  for (int i = 0; i < by_extent(50, 10); ++i) {
+    Scene scene = frictionless_wheel(draw, i);
+    const double pmax = solve_scene(scene).left->pmax;
+    scene.wheel_steel.yield_stress = pmax / draw.between(1.44, 4.4);
+    scene.rail_steel.yield_stress = pmax / draw.between(1.44, 4.4);
+    scene.vertical.reset();
+    stay_where_loaded(scene);
+    const SceneResult here = solve_scene(scene);
+    if (solved_patches(*here.left).size() > 1) {
+      continue;
+    }
+    yielding += here.left->patches.at(0).elastic_peak ? 1 : 0;
+    const EnergyErrors errors = energy_errors(scene);
+    const auto trace = [&] {
+      return scene.left.wheel.name + " on " + scene.left.rail.name + " at " +
+             std::to_string(scene.lateral);
+    };
+    EXPECT_LE(errors.energy, limit) << trace();
+    EXPECT_LE(errors.sensitivities, limit) << trace();
+    EXPECT_LE(errors.pairs, 2.0 * limit) << trace();
+  }
+  EXPECT_GE(yielding, 5);
+}
+
 /// Tread and flange displace each other by the cosine between their planes, which turn with the
 /// wheel: that is not part of their energy.
 TEST(Energy, OfTwoPatchesInPlanesFarApart) {
