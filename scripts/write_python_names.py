@@ -29,7 +29,7 @@ SCENES = (
     {"accuracy": 1e-2, "rail": wrcontact.Profile.from_points("rail", *wrcontact.Profile("60E1").at(
         [0.25 * step for step in range(500)])[:2])},
 )
-TEXTS = {"solver", "model", "model_reason", "units", "frame", "stop_reason"}
+TEXTS = {"solver", "model", "model_reason", "units", "frame", "stop_reason", "steels"}
 LISTS = {"patches": "Patch", "parts": "Patch", "near_contacts": "NearContact", "warnings": "str",
          "warning_classes": "str", "warning_grades": "str", "corrections": "str"}
 PLACES = {"Wheelset": "", "Wheel": "left.", "Contact": "left.patches.N.", "Creep forces": "left.patches.N.",

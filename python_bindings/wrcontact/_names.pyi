@@ -482,7 +482,7 @@ class Wheel(Group):
     solutions: int
     spread: WheelSpread
     state: int
-    steels: float
+    steels: str
     stop_reason: str
     stress: PatchStress
     total: WheelTotal

@@ -5,7 +5,7 @@ set -euo pipefail
 printed=$("$1")
 at_three=$("$2" --set solve.method=paper --set load.both=80000 load.of=normal --set solve.side=left \
   --set 'solve.grid=[256,128]' --set pose.lateral=3 --json | tr -d '\n' |
-  sed -E 's/.*"pmax": *([0-9.]+), *"pmax_element".*/\1/')
+  sed -E 's/.*"pmax": *([0-9.]+), *"pmax_elastic".*/\1/')
 awk -v at_three="$at_three" '
   function expect(ok, what) { if (!ok) { print "not so: " what; bad = 1 } }
   function near(value, known, share) { d = value/known - 1; return d <= share && -d <= share }

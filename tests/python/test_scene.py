@@ -112,7 +112,7 @@ def test_values_of_all_kinds(tmp_path):
                             track_left_displacement=np.array([1, 0, 0.01]), threads=np.int64(2))
     assert scene["lateral"] == 2.0 and scene["solve.derivatives"] == "yes"
     assert list(scene["grid"]) == [64, 32] and list(scene["track.left.displacement"]) == [1, 0, 0.01]
-    assert scene["rail.yield_stress"] == "none" and scene["solve.threads"] == 2
+    assert scene["material.rail.yield_stress"] == "none" and scene["solve.threads"] == 2
     assert repr(wrcontact.Scene(lateral=3, rail="CHN60")) == (
         "wrcontact.Scene(track.rail='CHN60', pose.lateral=3.0)")
     scene.write(tmp_path / "scene.toml")
