@@ -463,9 +463,10 @@ WheelSolution WheelSolver::solve() {
     depth = next_depth(*coarse, depth);
   }
   const bool may_yield = !request_.yielding.empty() && request_.solver == SolverChoice::standard;
-  GridSolution solution = solve_finally(depth, may_yield ? coarse : std::move(coarse));
+  const std::optional<GridSolution> kept = may_yield ? coarse : std::nullopt;
+  GridSolution solution = solve_finally(depth, std::move(coarse));
   if (may_yield && yields(solution, request_.yielding)) {
-    solution = let_steel_yield(depth_at_first, coarse, std::move(solution));
+    solution = let_steel_yield(depth_at_first, kept, std::move(solution));
   }
   warn_of_solution(solution, request_, wheel_.radius(), {error_.ridge, interaction_error_},
                    result_);
