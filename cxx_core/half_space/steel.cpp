@@ -6,13 +6,16 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "base/lower_case.hpp"
 #include "half_space/constants.hpp"
 
 namespace wrc {
 namespace {
 
 const SteelGrade* find_grade(std::string_view name) {
-  const auto* const found = std::ranges::find(steel_grades, name, &SteelGrade::name);
+  const std::string wanted = lower_case(name);
+  const auto* const found = std::ranges::find_if(
+      steel_grades, [&](const SteelGrade& grade) { return lower_case(grade.name) == wanted; });
   return found != steel_grades.end() ? found : nullptr;
 }
 

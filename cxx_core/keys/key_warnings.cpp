@@ -110,7 +110,8 @@ void add_unused(std::vector<Row>& rows) {
         return s.model == ModelRequest::hertz || s.model == ModelRequest::kik_piotrowski ||
                s.solver == SolverChoice::paper;
       },
-      " changes left.state alone: only the half-space yields, with solve.method = \"auto\"");
+      " changes states and fatigue alone: only the half-space yields, with solve.method = "
+      "\"auto\"");
   add({"solve.grid"}, {"solve.accuracy"}, [](const Scene& s) { return !s.grid; });
   add(
       {"solve.results"}, {},

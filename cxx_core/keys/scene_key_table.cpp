@@ -27,12 +27,12 @@ std::vector<Key> convention_keys() {
 }
 
 constexpr std::string_view yield_range =
-    "\"none\", 1 to 1e9 MPa, or one of \"ER6\" to \"ER9\", \"R200\", \"R220\", \"R260\", "
+    "\"none\", 100 to 1e4 MPa, or one of \"ER6\" to \"ER9\", \"R200\", \"R220\", \"R260\", "
     "\"R320Cr\", \"R350HT\", \"R370CrHT\", \"R400HT\"";
 
 Key yield_key(const KeyDescription& description, Steel Scene::*place) {
   Key key = optional_key(
-      description, {1.0, 1e9},
+      description, {100.0, 1e4},
       stress, [place](auto& scene) -> auto& { return (scene.*place).yield_stress; }, "none");
   key.set_number = [place](Scene& scene, double value) { scene.*place = {value, {}}; };
   key.set_text = [place](Scene& scene, std::string_view value) {

@@ -45,11 +45,10 @@
 /// Between nodes of the scan and its locally least distances, the tops, penetration is a cubic with
 /// their slopes. Integrals by Simpson's rule. Everything is thus continuous in the depth, except
 /// for how a patch just born between two others changes their coupling weight, and has a limit for
-/// depth
-/// -> 0. It is so in the position, too, except for what a cubic leaves where a top appears between
-/// two nodes: forces step by up to 2e-5 of the load where the rail's curvature jumps there. Units
-/// mm and rad; track frame, left-hand side (geometry/frames.hpp). Thread rule: pure functions. Not
-/// known here: elasticity.
+/// depth -> 0. In the position it is, too, except for what a cubic leaves where a top appears
+/// between two nodes: on treads forces step by up to 2e-5 of the load where the rail's curvature
+/// jumps there, at the flange's root by up to 1.2e-4. Units mm and rad; track frame, left-hand side
+/// (geometry/frames.hpp). Thread rule: pure functions. Not known here: elasticity.
 #pragma once
 
 #include <span>

@@ -80,10 +80,11 @@ ContactDamage damage_of(const PatchResult& patch, const DamageRequest& request,
     Fatigue& fatigue = damage.fatigue.emplace();
     fatigue.friction =
         std::hypot(creep.longitudinal_force, creep.lateral_force) / norm(patch.force);
-    fatigue.pressure_ratio = patch.pmax / request.shear_yield;
+    // The limits, and the index, are those of elastic pressures.
+    const double pressure = patch.elastic_peak.value_or(patch.pmax);
+    fatigue.pressure_ratio = pressure / request.shear_yield;
     fatigue.limits = shakedown_limits(std::min(fatigue.friction, map_friction));
-    fatigue.surface_index =
-        surface_fatigue_index(fatigue.friction, patch.pmax, request.shear_yield);
+    fatigue.surface_index = surface_fatigue_index(fatigue.friction, pressure, request.shear_yield);
     fatigue.rail_damage = rail_damage(creep.power_per_speed);
   }
   return damage;

@@ -144,8 +144,12 @@ GridChoice WheelSolver::final_grids(double depth, const AccuracyGoal& goal) {
   if (request_.grid) {
     return GridChoice(ElementCounts{(*request_.grid)[0], (*request_.grid)[1]});
   }
-  return GridChoice(
-      final_elements(expected_contacts(patches_at(depth), rail_, equilibrium_), goal));
+  std::vector<PatchElements> elements =
+      final_elements(expected_contacts(patches_at(depth), rail_, equilibrium_), goal);
+  if (elastic_) {
+    refine_for_yield(*elastic_, goal, elements);
+  }
+  return GridChoice(std::move(elements));
 }
 
 /// The grids at a depth, with undeformed distances.
@@ -351,7 +355,7 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
     }
     find_ridges(solution, posed(solution.depth));
     if (elastic_) {
-      set_elastic_peaks(solution, *elastic_, request_.yielding);
+      set_elastic_peaks(solution, *elastic_, goal_);
     } else if (!of_forces) {
       find_peaks(solution);
     }
@@ -379,6 +383,7 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
 GridSolution WheelSolver::let_steel_yield(double depth, const std::optional<GridSolution>& coarse,
                                           GridSolution elastic) {
   elastic_ = std::move(elastic);
+  take_back_sections(*elastic_);
   elements_wanted_ = 0.0;
   std::erase_if(result_.warnings,
                 [](const Warning& warning) { return warning.kind == WarningClass::not_settled; });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.hpp"
 #include "wheel/constants.hpp"
@@ -25,10 +26,40 @@ GridSolution softened(GridSolution elastic, std::span<const YieldingBody> bodies
   return elastic;
 }
 
+void take_back_sections(GridSolution& elastic) {
+  for (Patch& patch : elastic.patches) {
+    if (!patch.no_contact()) {
+      patch.elastic_peak = patch.contact.peak_pressure;
+      const double of_elements = peak_pressure(patch.grid, patch.pressure);
+      patch.peak_error = std::max(patch.peak_error, patch.contact.peak_pressure - of_elements);
+      patch.contact.peak_pressure = of_elements;
+    }
+  }
+}
+
+void refine_for_yield(const GridSolution& elastic, const AccuracyGoal& goal,
+                      std::vector<PatchElements>& elements) {
+  std::vector<PatchElements> others;
+  if (goal.forces_only) {
+    for (const Patch& patch : elastic.patches) {
+      others.push_back({patch.penetration.mean_x, patch.penetration.mean_y, patch.grid.lateral_step,
+                        patch.grid.longitudinal_step, 0.5});
+    }
+  } else {
+    others = finer_elements(elastic, estimate_error(elastic, goal), goal);
+  }
+  for (PatchElements& one : elements) {
+    const PatchElements& nearest =
+        *std::ranges::min_element(others, {}, [&](const PatchElements& other) {
+          return std::hypot(other.mean_x - one.mean_x, other.mean_y - one.mean_y);
+        });
+    one.lateral_step = std::min(one.lateral_step, nearest.lateral_step);
+    one.longitudinal_step = std::min(one.longitudinal_step, nearest.longitudinal_step);
+  }
+}
+
 void set_elastic_peaks(GridSolution& solution, const GridSolution& elastic,
-                       std::span<const YieldingBody> bodies) {
-  const double stress = softest_of(bodies);
-  std::vector<double> missing(solution.patches.size(), 0.0);
+                       const AccuracyGoal& goal) {
   for (Patch& patch : solution.patches) {
     patch.elastic_peak = 0.0;
   }
@@ -36,23 +67,25 @@ void set_elastic_peaks(GridSolution& solution, const GridSolution& elastic,
     if (patch.no_contact()) {
       continue;
     }
-    const auto nearest = std::ranges::min_element(solution.patches, {}, [&](const Patch& one) {
+    Patch& nearest = *std::ranges::min_element(solution.patches, {}, [&](const Patch& one) {
       return std::hypot(one.penetration.mean_x - patch.penetration.mean_x,
                         one.penetration.mean_y - patch.penetration.mean_y);
     });
-    const double peak = patch.contact.peak_pressure;
-    if (peak > *nearest->elastic_peak) {
-      nearest->elastic_peak = peak;
-      missing[static_cast<std::size_t>(nearest - solution.patches.begin())] =
-          yielded_estimate(peak, stress) -
-          yielded_estimate(peak_pressure(patch.grid, patch.pressure), stress);
+    if (*patch.elastic_peak > *nearest.elastic_peak) {
+      nearest.elastic_peak = patch.elastic_peak;
+      nearest.peak_error =
+          patch.peak_error * std::min(1.0, nearest.grid.lateral_step / patch.grid.lateral_step);
     }
   }
-  for (std::size_t k = 0; k < solution.patches.size(); ++k) {
-    Patch& patch = solution.patches[k];
-    if (!patch.no_contact()) {
-      patch.contact.peak_pressure += std::max(0.0, missing[k]);
-      patch.peak_error = std::max(0.0, missing[k]);
+  for (Patch& patch : solution.patches) {
+    double& peak = patch.contact.peak_pressure;
+    if (*patch.elastic_peak > 0.0) {
+      peak = std::min(peak, *patch.elastic_peak);
+    }
+    if (!goal.forces_only && peak > 0.0) {
+      const double by_crest = peak - patch.contact.largest_element_pressure;
+      patch.peak_error =
+          std::max(patch.peak_error, yield_error_of_crest * by_crest * by_crest / peak);
     }
   }
 }
@@ -72,13 +105,15 @@ void state_error_of_yield(WheelSolution& result) {
                                   request.accuracy_of == AccuracyOf::pressures ? of_pmax
                                   : request.position_is_prescribed()           ? of_pmax
                                                                      : yield_error_of_forces);
+  const bool compared = beyond <= yield_compared;
   result.warnings.push_back(
       {WarningClass::first_pressing,
        "steel yields: pmax is " + text_of(std::round(result.peak_pressure)) +
            " MPa instead of an elastic " + text_of(std::round(elastic)) +
            " MPa, as at a first pressing without tractions; the law knows pmax to " +
            text_of(100.0 * of_pmax) + " %, the area to " + text_of(100.0 * yield_error_of_area) +
-           " %" + (beyond > yield_compared ? "; it was not compared at such pressures" : "")});
+           " %" + (compared ? "" : "; it was not compared at such pressures"),
+       compared ? of_pmax / yield_error_of_pmax : std::numeric_limits<double>::infinity()});
 }
 
 } // namespace wrc

@@ -94,7 +94,7 @@ def shakedown_map(friction: Any, pressure_ratio: Any, path: str | os.PathLike[st
     right, top = max(0.6, 1.1 * f.max(initial=0.0)), max(6.0, 1.1 * ratio.max(initial=0.0))
     along = np.linspace(0.0, min(right, _MOST_FRICTION), 241)
     elastic, shakedown = np.array([limits(one) for one in along]).T
-    axes.plot(along, shakedown, color=LINES[-1], linewidth=2, label="elastic shakedown limit: 4.7, surface 1/friction")
+    axes.plot(along, shakedown, color=LINES[-1], linewidth=2, label="shakedown, upper bound: 4.7, surface 1/friction")
     axes.plot(along, elastic, color=LINES[0], linewidth=1.5, linestyle="--", label="elastic limit")
     for kind, colour, label in ((~beyond, LINES[0], "contacts"), (beyond, MARKED, "contacts beyond the limit")):
         if kind.any():

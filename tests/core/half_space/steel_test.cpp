@@ -18,7 +18,8 @@ TEST(Steel, AGradeSaysItsYieldStressAndItsSource) {
   EXPECT_EQ(text_of(*steel_of_grade("ER8")), "ER8, 540 MPa (EN 13262, the least that it requires)");
   EXPECT_EQ(text_of(Steel{512.5, {}}), "512.5 MPa");
   EXPECT_EQ(text_of(Steel{}), "elastic");
-  EXPECT_FALSE(steel_of_grade("r260"));
+  EXPECT_EQ(steel_of_grade("r260")->yield_stress, 480.0);
+  EXPECT_FALSE(steel_of_grade("R261"));
 }
 
 TEST(Steel, ShearYieldFollowsFromIt) {

@@ -209,12 +209,13 @@ double roughness(CurvedChoice curved, double place) {
 }
 
 /// Along small steps as in planes, where lobes join and where the plane bends to the curve. With
-/// two lobes all leave up to 9.4e-6 of the load, less than 1e-7 elsewhere.
+/// two lobes all leave up to 9.4e-6 of the load, as rows of elements come into contact, at places
+/// of their own in each; less than 1e-7 elsewhere.
 TEST(CurvedContact, ForcesFollowTheSceneAsInPlanes) {
   for (const double place : some_of({4.35, 4.6, 4.8, 5.2, 5.9}, 2)) {
     const double of_planes = roughness(CurvedChoice::no, place);
     for (const CurvedChoice curved : {CurvedChoice::yes, CurvedChoice::by_accuracy}) {
-      EXPECT_LT(roughness(curved, place), std::max(1e-7, 1.1 * of_planes)) << place;
+      EXPECT_LT(roughness(curved, place), std::max(1e-7, 1.3 * of_planes)) << place;
     }
   }
 }

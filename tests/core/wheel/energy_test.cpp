@@ -40,6 +40,7 @@ TEST(Energy, ForcesAreItsDerivativesAndTheirDerivativesAreSymmetric) {
 /// From the onset of yield to three times as much, in the contact that is elastic above.
 TEST(Energy, OfSteelThatYieldsHasTheSameDerivatives) {
   int yielding = 0;
+  int asymmetric = 0;
   Draw draw;
   for (int i = 0; i < by_extent(50, 10); ++i) {
     Scene scene = frictionless_wheel(draw, i);
@@ -60,9 +61,11 @@ TEST(Energy, OfSteelThatYieldsHasTheSameDerivatives) {
     };
     EXPECT_LE(errors.energy, limit) << trace();
     EXPECT_LE(errors.sensitivities, limit) << trace();
-    EXPECT_LE(errors.pairs, 2.0 * limit) << trace();
+    EXPECT_LE(errors.pairs, 3.0 * limit) << trace();
+    asymmetric += errors.pairs > limit ? 1 : 0;
   }
   EXPECT_GE(yielding, 5);
+  EXPECT_LE(asymmetric, 2);
 }
 
 /// Tread and flange displace each other by the cosine between their planes, which turn with the
