@@ -71,7 +71,7 @@ inline constexpr double warned_rounding = 1.0 - share_of_law - iteration_share;
 /// stresses and beyond, of the area, and of forces over the load. At a prescribed position forces
 /// err as pmax.
 /// origin: measured (finite elements, docs/evidence/half-space.md): pmax 10 % at most and 16 %,
-/// area 12 %, lateral force 0.45 % of the load; the largest elastic pmax compared is 6.6 yield
+/// area 12.5 %, lateral force 0.44 % of the load; the largest elastic pmax compared is 6.6 yield
 /// stresses.
 inline constexpr double yield_error_of_pmax = 0.10;
 inline constexpr double yield_error_far_beyond = 0.20;
