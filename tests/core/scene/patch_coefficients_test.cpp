@@ -125,7 +125,9 @@ TEST(PatchCoefficients, AnUnsolvedPatchHasNone) {
   Scene scene;
   scene.kalker = true;
   scene.until = Module::remesh;
-  for (const PatchResult& patch : solve_scene(scene).left.value().patches) {
+  const SceneResult result = solve_scene(scene);
+  EXPECT_FALSE(result.left.value().patches.empty());
+  for (const PatchResult& patch : result.left->patches) {
     EXPECT_FALSE(patch.kalker);
   }
 }
