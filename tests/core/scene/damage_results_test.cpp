@@ -269,5 +269,20 @@ TEST(DamageResults, ShearYieldFollowsFromTheBodysYieldStress) {
   EXPECT_NEAR(shear_yield(), 250.0, 1e-9);
 }
 
+/// Limits of shakedown are those of elastic pressures.
+TEST(DamageResults, FatigueOfSteelThatYieldsTakesTheElasticPressure) {
+  Scene scene = braked("fatigue");
+  set_number(scene, "material.rail.yield_stress", 350.0);
+  set_number(scene, "material.wheel.yield_stress", 350.0);
+  set_number(scene, "fatigue.shear_yield", 250.0);
+  SceneResult result = solve_scene(scene);
+  const double elastic = number(result, "left.patches.0.pmax_elastic");
+  EXPECT_LT(number(result, "left.patches.0.pmax"), 0.95 * elastic);
+  EXPECT_DOUBLE_EQ(number(result, "left.patches.0.fatigue.pressure_ratio"), elastic / 250.0);
+  EXPECT_EQ(
+      number(result, "left.patches.0.fatigue.surface_index"),
+      surface_fatigue_index(number(result, "left.patches.0.fatigue.friction"), elastic, 250.0));
+}
+
 } // namespace
 } // namespace damage_results_test
