@@ -55,6 +55,10 @@ void refine_for_yield(const GridSolution& elastic, const AccuracyGoal& goal,
         });
     one.lateral_step = std::min(one.lateral_step, nearest.lateral_step);
     one.longitudinal_step = std::min(one.longitudinal_step, nearest.longitudinal_step);
+    if (!goal.forces_only) { // which must not step at the onset
+      one.longitudinal_step =
+          std::min(one.longitudinal_step, longest_yielding_element * one.lateral_step);
+    }
   }
 }
 
@@ -95,7 +99,7 @@ void state_error_of_yield(WheelSolution& result) {
   for (const Patch& patch : result.patches) {
     elastic = std::max(elastic, patch.elastic_peak.value_or(0.0));
   }
-  if (!(elastic > 0.0)) {
+  if (!(elastic > 0.0) || result.stop_reason != StopReason::tolerance_met) {
     return;
   }
   const WheelRequest& request = result.request;

@@ -38,7 +38,8 @@ void refine_for_yield(const GridSolution& elastic, const AccuracyGoal& goal,
 void set_elastic_peaks(GridSolution& solution, const GridSolution& elastic,
                        const AccuracyGoal& goal);
 
-/// Adds the error of the law to that of the model, with its warning, where steel yields.
+/// Adds the error of the law to that of the model, with its warning, where steel yields and the
+/// iteration has converged.
 void state_error_of_yield(WheelSolution& result);
 
 } // namespace wrc

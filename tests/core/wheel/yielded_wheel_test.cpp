@@ -168,6 +168,19 @@ TEST(YieldedWheel, CrestsAreWithinTheStatedError) {
   check("S1002", "56E1", -4.0, 540.0, 760.0);
 }
 
+/// Crests that take 33 times as long elements as wide ones, on which the iteration stagnated.
+TEST(YieldedWheel, NarrowCrestsConverge) {
+  Scene scene = scene_at(-2.093, 8e4);
+  scene.side = SideChoice::right;
+  scene.left.rail.name = scene.right.rail.name = "50E6";
+  scene.wheel_steel.yield_stress = 540.0;
+  scene.rail_steel.yield_stress = 480.0;
+  scene.accuracy = 1e-2;
+  const WheelResult found = *solve_scene(scene).right;
+  EXPECT_EQ(found.stop_reason, StopReason::tolerance_met);
+  EXPECT_LT(found.discretisation_error.value(), 0.03);
+}
+
 TEST(YieldedWheel, SidesMirrorToTheLastBit) {
   Scene left = scene_at(6.2, 8e4);
   left.yaw = 0.01;
