@@ -20,7 +20,9 @@ namespace wrc {
 struct Patch {
   ContactPatch penetration;
   ContactFrame frame;
-  double bend = 0.0; ///< of its gap along the rail, 0 to 1 (remesh/bend_along.hpp)
+  /// Of its gap along the rail, 0 to 1 (remesh/bend_along.hpp); 1 also of pressures that rise to
+  /// the onset of yield in a rim. Such pressures end as those of pressure/smooth_pressure.hpp.
+  double bend = 0.0;
   Grid grid;
   double coupling_weight = 0.0; ///< of the interaction with another patch: the largest
   std::vector<double> undeformed_distance;

@@ -155,13 +155,6 @@ void add_inaccurate(std::vector<Row>& rows) {
       [](const Scene& s) { return s.kalker && s.accuracy > coarsest_for_coefficients; },
       ": Kalker's coefficients need solve.accuracy 1e-3 or less: at 1e-2, c33 is up to 40 % and "
       "the others are up to 15 % off, at coarser ones more");
-  add(
-      {"solve.results"}, {},
-      [](const Scene& s) {
-        return s.kalker && (s.wheel_steel.yield_stress || s.rail_steel.yield_stress);
-      },
-      ": Kalker's coefficients where steel yields are up to 11 (c11), 21 (c23) and 26 % (c33) off "
-      "at solve.accuracy 1e-3");
 }
 
 std::vector<Row> make_rows() {

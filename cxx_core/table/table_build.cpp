@@ -39,7 +39,7 @@ Counts counts_of(const TableOptions& options) {
   const double length = 2.0 * options.ranges.lateral; // mm
   Counts counts{};
   counts.lateral = at_least(8.0, 20.0 * length * fine) + 1;
-  counts.roll = at_least(4.0, 11.0 * fine);
+  counts.roll = at_least(4.0, 13.0 * fine);
   counts.depth = at_least(6.0, 12.0 * fine);
   counts.law.translation = 2 * at_least(4.0, 14.0 * std::min(fine, 2.0)) + 1;
   counts.law.spin = 2 * at_least(3.0, 14.0 * std::min(fine, 2.0)) + 1;

@@ -355,7 +355,7 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
     }
     find_ridges(solution, posed(solution.depth));
     if (elastic_) {
-      set_elastic_peaks(solution, *elastic_, goal_);
+      set_elastic_peaks(solution, *elastic_, goal_, request_.yielding);
     } else if (!of_forces) {
       find_peaks(solution);
     }

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "base/smoothstep.hpp"
+#include "half_space/constants.hpp"
 #include "wheel/constants.hpp"
 
 namespace wrc {
@@ -63,7 +65,7 @@ void refine_for_yield(const GridSolution& elastic, const AccuracyGoal& goal,
 }
 
 void set_elastic_peaks(GridSolution& solution, const GridSolution& elastic,
-                       const AccuracyGoal& goal) {
+                       const AccuracyGoal& goal, std::span<const YieldingBody> bodies) {
   for (Patch& patch : solution.patches) {
     patch.elastic_peak = 0.0;
   }
@@ -82,6 +84,9 @@ void set_elastic_peaks(GridSolution& solution, const GridSolution& elastic,
     }
   }
   for (Patch& patch : solution.patches) {
+    const double times_yield_stress = *patch.elastic_peak / softest_of(bodies);
+    patch.bend = std::max(patch.bend, smoothstep((times_yield_stress - yield_onset) /
+                                                 (yield_rim_whole - yield_onset)));
     double& peak = patch.contact.peak_pressure;
     if (*patch.elastic_peak > 0.0) {
       peak = std::min(peak, *patch.elastic_peak);

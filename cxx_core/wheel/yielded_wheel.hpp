@@ -34,9 +34,9 @@ void refine_for_yield(const GridSolution& elastic, const AccuracyGoal& goal,
 /// Sets Patch::elastic_peak of each patch from the patches of an elastic solution without sections
 /// nearest to it, and what is missing of a crest on its smaller elements as the error of its peak.
 /// No peak is more than the elastic one; what a parabola adds to the elements at a flat crest is
-/// uncertain.
+/// uncertain. Sets Patch::bend, too.
 void set_elastic_peaks(GridSolution& solution, const GridSolution& elastic,
-                       const AccuracyGoal& goal);
+                       const AccuracyGoal& goal, std::span<const YieldingBody> bodies);
 
 /// Adds the error of the law to that of the model, with its warning, where steel yields and the
 /// iteration has converged.

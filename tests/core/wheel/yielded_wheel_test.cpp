@@ -3,10 +3,12 @@
 #include "wheel/yielded_wheel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "creep/total_force.hpp"
 #include "extent.hpp"
 #include "half_space/constants.hpp"
 #include "results/residuals.hpp"
@@ -179,6 +181,22 @@ TEST(YieldedWheel, NarrowCrestsConverge) {
   const WheelResult found = *solve_scene(scene).right;
   EXPECT_EQ(found.stop_reason, StopReason::tolerance_met);
   EXPECT_LT(found.discretisation_error.value(), 0.03);
+}
+
+/// If rows ended as elastic ones do, the longitudinal force would be off by 1.0 and 1.3 % of
+/// friction times load.
+TEST(YieldedWheel, CreepForcesAreNearThoseOfFineElements) {
+  for (const double lateral : {-4.2, 3.0}) {
+    Scene scene = scene_at(lateral, 8e4, 400.0);
+    scene.accuracy_of = AccuracyOf::forces;
+    scene.left.creepages = Creepages{1e-3, 5e-4, 2e-4};
+    const auto longitudinal_force = [&](double accuracy) {
+      scene.accuracy = accuracy;
+      SceneResult result = solve_scene(scene);
+      return total_force(*result.left).force.x;
+    };
+    EXPECT_NEAR(longitudinal_force(3e-3), longitudinal_force(1e-3), 5e-3 * 0.3 * 8e4) << lateral;
+  }
 }
 
 TEST(YieldedWheel, SidesMirrorToTheLastBit) {
