@@ -104,7 +104,10 @@ void state_error_of_yield(WheelSolution& result) {
   }
   const WheelRequest& request = result.request;
   const double beyond = elastic / softest_of(request.yielding);
-  const double of_pmax = beyond > yield_well_known ? yield_error_far_beyond : yield_error_of_pmax;
+  const bool again = request.passes > 1;
+  const double of_pmax =
+      std::hypot(beyond > yield_well_known ? yield_error_far_beyond : yield_error_of_pmax,
+                 again ? yield_error_of_passes : 0.0);
   result.model_error = std::hypot(result.model_error.value_or(0.0),
                                   request.accuracy_of == AccuracyOf::pressures ? of_pmax
                                   : request.position_is_prescribed()           ? of_pmax
@@ -113,10 +116,16 @@ void state_error_of_yield(WheelSolution& result) {
   result.warnings.push_back(
       {WarningClass::first_pressing,
        "steel yields: pmax is " + text_of(std::round(result.peak_pressure)) +
-           " MPa instead of an elastic " + text_of(std::round(elastic)) +
-           " MPa, as at a first pressing without tractions; the law knows pmax to " +
-           text_of(100.0 * of_pmax) + " %, the area to " + text_of(100.0 * yield_error_of_area) +
-           " %" + (compared ? "" : "; it was not compared at such pressures"),
+           " MPa instead of an elastic " + text_of(std::round(elastic)) + " MPa, as at " +
+           (again ? "pass " + text_of(request.passes) + " over the same place"
+                  : "a first pressing") +
+           " without tractions; " +
+           (again
+                ? "repeated passes were not compared with finite elements and have no derivatives; "
+                : "") +
+           "the law knows pmax to " + text_of(std::round(100.0 * of_pmax)) + " %, the area to " +
+           text_of(100.0 * yield_error_of_area) + " %" +
+           (compared ? "" : "; it was not compared at such pressures"),
        compared ? of_pmax / yield_error_of_pmax : std::numeric_limits<double>::infinity()});
 }
 
