@@ -23,7 +23,7 @@ HEAD = "Written by scripts/write_python_names.py, not by hand."
 # Scenes that together have all results.
 SCENES = (
     {"lateral": 6.15, "rail": "56E1", "speed": 2e4, "motion_yaw": 0.01, "derivatives": True, "accuracy": 1e-2,
-     "results": ["stress", "wear", "fatigue", "kalker"]},
+     "results": ["stress", "wear", "fatigue", "groove", "kalker"]},
     {"lateral": 5, "creepage_left": [1e-3, 5e-4, 2e-4], "accuracy": 1e-2},
     {"model": "hertz"},
     {"accuracy": 1e-2, "rail": wrcontact.Profile.from_points("rail", *wrcontact.Profile("60E1").at(

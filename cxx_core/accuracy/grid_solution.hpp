@@ -4,6 +4,7 @@
 /// Not known here: how the grids were chosen, and how far off the solution is (resolution.hpp).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -15,6 +16,16 @@
 #include "remesh/rail_normals.hpp"
 
 namespace wrc {
+
+/// What passes leave on the rows of a patch whose steel yields.
+struct Groove {
+  /// Of wheel and rail: depth in the direction of the patch's normal, mm, after this pass.
+  std::array<std::vector<double>, 2> depth;
+  /// Of both bodies together, before this pass, and the largest pressures carried then, MPa; none:
+  /// it is the first.
+  std::vector<double> found;
+  std::vector<double> carried;
+};
 
 /// The record of a patch, from the plan to the result.
 struct Patch {
@@ -38,6 +49,7 @@ struct Patch {
   double peak_error = 0.0;        ///< of a peak from a section (peak_section.hpp), MPa
   /// Largest pressure of the elastic solution, where steel yields; 0 of a patch that it has not.
   std::optional<double> elastic_peak;
+  Groove groove;         ///< of that steel; where it was pressed before, distances include it
   double ridge = 0.0;    ///< under its pressures (peak_section.hpp), rad
   double growth = 0.0;   ///< of the peak at that ridge with every element e times narrower, MPa
   std::size_t plane = 0; ///< patches of the same one are one contact

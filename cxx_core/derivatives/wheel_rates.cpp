@@ -272,6 +272,9 @@ bool is_finite(const ForceRates& rates) {
 } // namespace
 
 std::optional<WheelRates> wheel_rates_of(const WheelResult& side) {
+  if (is_pressed_again(side)) {
+    return std::nullopt; // the groove moves with the profiles, which have none
+  }
   // Above the first touch, where a solution that fails may end, no planes are found.
   if (side.patches.empty() || !side.solved || side.validity || !(side.depth > 0.0)) {
     return std::nullopt;

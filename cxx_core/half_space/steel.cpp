@@ -56,14 +56,14 @@ std::vector<YieldingBody> yielding_bodies(const Material& wheel, const Steel& of
   const double share = compliance_of(wheel) / (compliance_of(wheel) + compliance_of(rail));
   std::vector<YieldingBody> bodies;
   if (of_wheel.yield_stress == of_rail.yield_stress && of_wheel.yield_stress) {
-    bodies.push_back({*of_wheel.yield_stress, 1.0});
+    bodies.push_back({*of_wheel.yield_stress, 1.0, share});
     return bodies;
   }
   if (of_wheel.yield_stress) {
-    bodies.push_back({*of_wheel.yield_stress, share});
+    bodies.push_back({*of_wheel.yield_stress, share, 1.0});
   }
   if (of_rail.yield_stress) {
-    bodies.push_back({*of_rail.yield_stress, 1.0 - share});
+    bodies.push_back({*of_rail.yield_stress, 1.0 - share, 0.0});
   }
   return bodies;
 }
@@ -88,6 +88,26 @@ Excess excess_of(double pressure, double yield_stress) {
   const double slope = yield_exponent * std::pow(beyond, yield_exponent - 1.0);
   return {yield_stress * slope * beyond / yield_exponent, slope,
           (yield_exponent - 1.0) * slope / (beyond * yield_stress)};
+}
+
+Excess excess_of(double pressure, double yield_stress, double carried) {
+  Excess excess = excess_of(pressure, yield_stress);
+  const double before = excess_of(carried, yield_stress).value;
+  if (!(before > 0.0)) {
+    return excess;
+  }
+  excess.value -= before;
+  if (!(excess.value > 0.0)) {
+    return {};
+  }
+  const double range = yield_again_range * before;
+  if (excess.value >= range) {
+    excess.value -= 0.5 * range;
+    return excess;
+  }
+  const double part = excess.value / range;
+  return {0.5 * part * excess.value, part * excess.slope,
+          part * excess.curvature + excess.slope * excess.slope / range};
 }
 
 double yielded_estimate(double pressure, double yield_stress) {

@@ -39,8 +39,9 @@ double shear_yield_of(const Steel& steel);
 
 /// A body that yields.
 struct YieldingBody {
-  double stress = 0.0; ///< its yield stress
-  double share = 1.0;  ///< its part of the compliance of both bodies
+  double stress = 0.0;   ///< its yield stress
+  double share = 1.0;    ///< its part of the compliance of both bodies
+  double of_wheel = 0.0; ///< the wheel's part of its indentation; the rest is the rail's
 };
 
 /// Those of wheel and rail that yield, as one if their yield stress is the same; none if both are
@@ -61,6 +62,10 @@ struct Excess {
   double curvature = 0.0;
 };
 Excess excess_of(double pressure, double yield_stress);
+
+/// Of steel that has carried a pressure before: what it takes more than it took then, with a smooth
+/// start over yield_again_range of that. P~ is convex, too.
+Excess excess_of(double pressure, double yield_stress, double carried);
 
 /// About the pressure that steel carries where elastic bodies would carry `pressure`: a place to
 /// start from.

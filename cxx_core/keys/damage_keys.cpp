@@ -13,6 +13,7 @@ template <class SceneType> auto requested_results(SceneType& scene) {
   return std::array{std::pair{std::string_view("stress"), &scene.damage.stress},
                     std::pair{std::string_view("wear"), &scene.damage.wear},
                     std::pair{std::string_view("fatigue"), &scene.damage.fatigue},
+                    std::pair{std::string_view("groove"), &scene.damage.groove},
                     std::pair{std::string_view("kalker"), &scene.kalker}};
 }
 
@@ -20,10 +21,11 @@ template <class SceneType> auto requested_results(SceneType& scene) {
 Key results_key() {
   Key key;
   key.description = {"solve.results", "\"none\"",
-                     "\"none\", or any of \"stress\", \"wear\", \"fatigue\" and \"kalker\", as "
-                     "one text or a list of them",
+                     "\"none\", or any of \"stress\", \"wear\", \"fatigue\", \"groove\" and "
+                     "\"kalker\", as one text or a list of them",
                      "additional results: stresses below the surface; wear and fatigue, which need "
-                     "creep forces; Kalker's coefficients of each patch"};
+                     "creep forces; the groove that steel keeps where it yields; Kalker's "
+                     "coefficients of each patch"};
   key.get = [](const Scene& scene) {
     std::string text;
     for (const auto& [word, flag] : requested_results(scene)) {

@@ -112,6 +112,14 @@ void add_unused(std::vector<Row>& rows) {
       },
       " changes states and fatigue alone: only the half-space yields, with solve.method = "
       "\"auto\"");
+  add(
+      {"solve.passes"}, {},
+      [](const Scene& s) {
+        return yielding_bodies_of(s).empty() || s.model == ModelRequest::hertz ||
+               s.model == ModelRequest::kik_piotrowski || s.solver == SolverChoice::paper;
+      },
+      " is not used: only steel with a yield stress keeps a groove, in the half-space with "
+      "solve.method = \"auto\"");
   add({"solve.grid"}, {"solve.accuracy"}, [](const Scene& s) { return !s.grid; });
   add(
       {"solve.results"}, {},

@@ -250,6 +250,16 @@ std::vector<Key> solution_keys() {
       {"solve.near_tolerance", "0.1", "0 to 10 mm",
        "further contacts are listed if their distance at first touch is smaller than this"},
       {0.0, 10.0}, length, &Scene::near_tolerance));
+  Key passes;
+  passes.description = {"solve.passes", "1", "a whole number, 1 to 1000",
+                        "how often the wheel has rolled over the same place of the rail, this time "
+                        "included; where steel yields, both keep the groove of earlier passes"};
+  passes.min = 1.0;
+  passes.max = 1000.0;
+  passes.whole = true;
+  passes.get = [](const Scene& s) { return KeyValue(static_cast<double>(s.passes)); };
+  passes.set_number = [](Scene& s, double v) { s.passes = static_cast<int>(v); };
+  keys.push_back(passes);
   Key threads;
   threads.description = {"solve.threads", "1", "a whole number, 1 to 1024",
                          "number of threads; results do not depend on it"};

@@ -39,6 +39,8 @@ struct PatchGap {
   std::span<const double> angles = {}; ///< of rows along a curve, rad; none: a plane
   /// Factors of rows from these pressures to those that make the bodies yield; none: 1.
   std::span<const double> row_scales = {};
+  /// Largest of those pressures that rows, or elements, have carried before; none: 0.
+  std::span<const double> carried = {};
 
   [[nodiscard]] double share(std::size_t element) const {
     return shares.empty() ? approach_cosine : shares[element];
@@ -82,6 +84,8 @@ struct NormalSolution {
   struct Patch {
     std::vector<double> pressure; ///< per element, MPa
     double normal_force = 0.0;    ///< sum p a b, N
+    /// Of each body that yields: indentation per element, mm (mechanics/yielding.hpp).
+    std::vector<std::vector<double>> indentation = {};
   };
   std::vector<Patch> patches;
   double approach = 0.0; ///< mm

@@ -184,7 +184,8 @@ YieldSolver::State YieldSolver::at(Fields pressure) {
     state.largest = std::max(state.largest,
                              *std::max_element(state.pressure[k].begin(), state.pressure[k].end()));
     state.terms.emplace_back(problem_.patches[k].grid, state.pressure[k],
-                             problem_.patches[k].row_scales, problem_.yielding);
+                             problem_.patches[k].row_scales, problem_.yielding,
+                             problem_.patches[k].carried);
   }
   state.excess_displacement.resize(problem_.yielding.size());
   Fields excess(count());
@@ -418,6 +419,10 @@ NormalSolution YieldSolver::solve() {
     patch.pressure = std::move(state.pressure[k]);
     patch.normal_force = std::accumulate(patch.pressure.begin(), patch.pressure.end(), 0.0) *
                          problem_.patches[k].grid.element_area();
+    for (std::size_t b = 0; b < problem_.yielding.size(); ++b) {
+      state.terms[k].add_indentation(b, state.excess_displacement[b][k],
+                                     patch.indentation.emplace_back(patch.pressure.size(), 0.0));
+    }
   }
   return solution;
 }
@@ -425,7 +430,8 @@ NormalSolution YieldSolver::solve() {
 } // namespace
 
 YieldTerms::YieldTerms(const Grid& grid, std::span<const double> pressure,
-                       std::span<const double> scales, std::span<const YieldingBody> bodies)
+                       std::span<const double> scales, std::span<const YieldingBody> bodies,
+                       std::span<const double> carried)
     : excess(bodies.size()), slope(bodies.size()), curvature(bodies.size()) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const double root = std::sqrt(yield_stiffness * bodies[b].share);
@@ -433,8 +439,12 @@ YieldTerms::YieldTerms(const Grid& grid, std::span<const double> pressure,
       field->resize(pressure.size());
     }
     for (std::size_t i = 0; i < pressure.size(); ++i) {
-      const double scale = scales.empty() ? 1.0 : scales[i / grid.longitudinal_count];
-      const Excess beyond = excess_of(scale * pressure[i], bodies[b].stress);
+      const std::size_t row = i / grid.longitudinal_count;
+      const double scale = scales.empty() ? 1.0 : scales[row];
+      const double before = carried.empty()                        ? 0.0
+                            : carried.size() == grid.lateral_count ? carried[row]
+                                                                   : carried[i];
+      const Excess beyond = excess_of(scale * pressure[i], bodies[b].stress, before);
       excess[b][i] = root * beyond.value / scale;
       slope[b][i] = root * beyond.slope;
       curvature[b][i] = root * beyond.curvature * scale;

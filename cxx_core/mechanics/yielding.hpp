@@ -11,6 +11,10 @@
 /// a curve as long as it turns by less than 90 degrees): one solution, whatever it starts from.
 /// With p below the onset everywhere it is the elastic one.
 ///
+/// Steel pressed again (PatchGap::carried) takes only what it has not taken before: P_b begins at
+/// the pressure carried (excess_of of half_space/steel.hpp). The dent w of the pressing before is
+/// then part of h. The energy stays convex.
+///
 /// Newton's method on the elements in contact, C = {p > 0 or gap < 0}: H v = -gap on C by conjugate
 /// gradients, v without load if the load is given, then p = max(0, p + v), less of it where that
 /// has more energy. Preconditioned by E M E + (1 - E^2)/diag(H), M the inverse of the periodic
@@ -37,9 +41,9 @@ struct YieldTerms {
   Fields slope;     ///< no unit
   Fields curvature; ///< 1/MPa
 
-  /// `scales`: of rows; none: 1.
+  /// `scales`: of rows; none: 1. `carried`: of PatchGap.
   YieldTerms(const Grid& grid, std::span<const double> pressure, std::span<const double> scales,
-             std::span<const YieldingBody> bodies);
+             std::span<const YieldingBody> bodies, std::span<const double> carried = {});
   /// Adds to displacements what body b adds to gaps, from A times its excess.
   void add_indentation(std::size_t b, std::span<const double> by_excess,
                        std::span<double> displacement) const;

@@ -16,13 +16,14 @@ struct DamageRequest {
   bool stress = false;
   bool wear = false;
   bool fatigue = false;
+  bool groove = false;
   bool of_wheel = false;       ///< stresses in the wheel instead of the rail
   bool section_across = false; ///< the section of stresses lies across the rail, else along it
   double poisson = 0.3;        ///< of that body
   double shear_yield = usual_shear_yield; ///< k, MPa
   WearRequest law{WearLaw::usfd, 6.75e-7, 3000.0, 1.0};
 
-  [[nodiscard]] bool any() const { return stress || wear || fatigue; }
+  [[nodiscard]] bool any() const { return stress || wear || fatigue || groove; }
 };
 
 struct WearTotals {
@@ -47,6 +48,7 @@ struct ContactDamage {
   std::optional<GreatestStress> stress;
   std::optional<WearTotals> wear;
   std::optional<Fatigue> fatigue;
+  std::optional<double> groove_depth; ///< greatest of wheel and rail together, mm
 };
 
 } // namespace wrc

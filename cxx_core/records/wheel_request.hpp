@@ -36,6 +36,7 @@ struct WheelOptions : PatchOptions {
   SolverChoice solver = SolverChoice::standard;
   Elements elements = Elements::smooth;
   CurvedChoice curved = CurvedChoice::no;
+  int passes = 1; ///< of the wheel over the same place, where steel yields
   /// Limit of the grids of a wheel that follow from the accuracy, together; another limit of the
   /// same size for creep forces. By the accuracy if not set.
   std::optional<double> element_limit;

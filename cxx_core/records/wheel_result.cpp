@@ -1,5 +1,7 @@
 #include "records/wheel_result.hpp"
 
+#include <algorithm>
+
 namespace wrc {
 
 std::vector<const PatchResult*> solved_patches(const WheelResult& side) {
@@ -13,6 +15,12 @@ std::vector<const PatchResult*> solved_patches(const WheelResult& side) {
     }
   }
   return patches;
+}
+
+bool is_pressed_again(const WheelResult& side) {
+  return std::ranges::any_of(solved_patches(side), [](const PatchResult* patch) {
+    return !patch->groove.carried.empty();
+  });
 }
 
 std::span<const YieldingBody> yielding_of(const Patch& patch, const WheelDetails& side) {

@@ -137,6 +137,9 @@ std::vector<const PatchResult*> solved_patches(const WheelResult& side);
 /// The bodies whose steel yields in the solution that a patch is of; none if it is elastic.
 std::span<const YieldingBody> yielding_of(const Patch& patch, const WheelDetails& side);
 
+/// Whether it is a later pass over a groove, of which no derivatives are known.
+bool is_pressed_again(const WheelResult& side);
+
 /// "patch 1: ", with which warnings of a patch begin; nothing if the wheel has one patch only.
 std::string of_patch(const WheelResult& wheel, std::size_t index);
 

@@ -111,6 +111,24 @@ Values averaged(const PatchResult& part, const PatchResult& whole) {
   return values;
 }
 
+/// Something of the rows of parts on those of the whole, the largest of all parts; empty if no part
+/// has any.
+template <class OfRows> Values of_rows(const PatchResult& whole, const OfRows& rows_of_part) {
+  Values values;
+  for (const PatchResult& part : whole.parts) {
+    const Values rows = rows_of_part(part);
+    const double shift = shift_of(part.frame, whole.frame).lateral + part.grid.lateral_first;
+    for (std::size_t row = 0; !rows.empty() && row < whole.grid.lateral_count; ++row) {
+      values.resize(whole.grid.lateral_count, 0.0);
+      const double nearest = std::round((whole.grid.lateral(row) - shift) / part.grid.lateral_step);
+      if (nearest >= 0.0 && nearest < static_cast<double>(rows.size())) {
+        values[row] = std::max(values[row], rows[static_cast<std::size_t>(nearest)]);
+      }
+    }
+  }
+  return values;
+}
+
 /// All pressures together, by their moments.
 PressureRegion combined_region(std::span<const Patch> parts, std::span<const Shift> shifts) {
   constexpr double square_share = 0.2; // <x^2> = a^2 / 5 (pressure/pressure_field.hpp)
@@ -230,7 +248,8 @@ std::vector<double> displacement_of(const PatchResult& patch, const WheelDetails
   DisplacementOperator displace(patch.grid, side.request.combined_modulus, side.request.elements,
                                 row_angles(patch.frame, patch.grid));
   displace.apply(pressure, values);
-  const YieldTerms terms(patch.grid, pressure, patch.row_scales, yielding_of(patch, side));
+  const YieldTerms terms(patch.grid, pressure, patch.row_scales, yielding_of(patch, side),
+                         patch.groove.carried);
   for (std::size_t b = 0; b < terms.excess.size(); ++b) {
     std::vector<double> by_excess(pressure.size());
     displace.apply(terms.excess[b], by_excess);
@@ -245,7 +264,12 @@ std::vector<double> scales_of_elements(const PatchResult& patch) {
 }
 
 std::vector<double> combined_distance(const PatchResult& whole, const WheelDetails& side) {
-  return sample_undeformed_distance(side.pair(), whole.frame, whole.grid);
+  Values distance = sample_undeformed_distance(side.pair(), whole.frame, whole.grid);
+  const Values groove = of_rows(whole, [](const PatchResult& part) { return part.groove.found; });
+  for (std::size_t i = 0; !groove.empty() && i < distance.size(); ++i) {
+    distance[i] += groove[i / whole.grid.longitudinal_count];
+  }
+  return distance;
 }
 
 std::vector<double> combined_displacement(const PatchResult& whole, const WheelDetails& side) {
@@ -255,11 +279,14 @@ std::vector<double> combined_displacement(const PatchResult& whole, const WheelD
   std::vector<Values> by_part;
   std::vector<Cells> rows;
   const std::span<const YieldingBody> bodies = yielding_of(whole, side);
-  const YieldTerms terms(grid, bodies.empty() ? Values() : combined_pressure(whole), {}, bodies);
+  const Values carried =
+      of_rows(whole, [](const PatchResult& part) { return part.groove.carried; });
+  const YieldTerms terms(grid, bodies.empty() ? Values() : combined_pressure(whole), {}, bodies,
+                         carried);
   for (const PatchResult& part : whole.parts) {
     const Values pressure = averaged(part, whole);
     displace.apply(pressure, by_part.emplace_back(grid.element_count()));
-    const YieldTerms of_part(grid, pressure, {}, bodies);
+    const YieldTerms of_part(grid, pressure, {}, bodies, carried);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       Values by_excess(grid.element_count());
       displace.apply(of_part.excess[b], by_excess);

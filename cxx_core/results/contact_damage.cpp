@@ -10,6 +10,7 @@
 #include "damage/constants.hpp"
 #include "mechanics/cascade.hpp"
 #include "records/wheel_result.hpp"
+#include "remesh/constants.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "results/constants.hpp"
 
@@ -40,6 +41,38 @@ Wear wear_of_patch(const PatchResult& patch, const DamageRequest& request) {
   return wear_of({creep.grid, creep.pressure, creep.traction_x, creep.traction_y, creep.slip_x,
                   creep.slip_y, creep.friction, creep.slip_speed, creep.power_per_speed},
                  request.law);
+}
+
+/// Where the rows of one of a patch's grids lie, through its centre of pressure.
+RowPlaces places_of_rows(const WheelDetails& wheel, const PatchResult& patch, const Grid& grid) {
+  RowPlaces places;
+  const PosedPair pair = wheel.pair();
+  for (std::size_t row = 0; row < grid.lateral_count; ++row) {
+    const SurfacePlace surface =
+        surfaces_at(pair, patch.frame, patch.contact.centroid_longitudinal, grid.lateral(row));
+    double t_rail = 0.0;
+    double v_rail = 0.0;
+    wheel.rail->to_profile_frame(surface.rail.y, surface.rail.z, t_rail, v_rail);
+    places.s_wheel.push_back(surface.wheel_lateral);
+    places.t_rail.push_back(t_rail);
+  }
+  return places;
+}
+
+bool has_groove(const PatchResult& patch, const DamageRequest& request) {
+  return request.groove && patch.parts.empty() && !patch.pressure.empty();
+}
+
+/// Normals of a row are inclined to that of its patch, along which distances are longer.
+std::array<std::vector<double>, 2> groove_of(const PatchResult& patch) {
+  std::array<std::vector<double>, 2> depth = patch.groove.depth;
+  for (std::vector<double>& of_body : depth) {
+    of_body.resize(patch.grid.lateral_count, 0.0);
+    for (std::size_t row = 0; row < patch.row_scales.size(); ++row) {
+      of_body[row] *= std::pow(patch.row_scales[row], 1.0 / scale_by_inclination);
+    }
+  }
+  return depth;
 }
 
 /// Takes back what follows from the largest pressure, which an end of a body leaves without a
@@ -75,6 +108,13 @@ ContactDamage damage_of(const PatchResult& patch, const DamageRequest& request,
       wear.depth = *std::max_element(found.depth.begin(), found.depth.end());
     }
   }
+  if (has_groove(patch, request)) {
+    const auto [wheel, rail] = groove_of(patch);
+    double& deepest = damage.groove_depth.emplace(0.0);
+    for (std::size_t row = 0; row < wheel.size(); ++row) {
+      deepest = std::max(deepest, wheel[row] + rail[row]);
+    }
+  }
   if (request.fatigue && patch.creep && patch.normal_force > 0.0) {
     const CreepResult& creep = *patch.creep;
     Fatigue& fatigue = damage.fatigue.emplace();
@@ -103,6 +143,9 @@ void add(ContactDamage& whole, const ContactDamage& part) {
       wear.volume = wear.volume.value_or(0.0) + *part.wear->volume;
       wear.depth = std::max(wear.depth.value_or(0.0), *part.wear->depth);
     }
+  }
+  if (part.groove_depth) {
+    whole.groove_depth = std::max(whole.groove_depth.value_or(0.0), *part.groove_depth);
   }
   if (part.fatigue &&
       (!whole.fatigue || part.fatigue->surface_index > whole.fatigue->surface_index)) {
@@ -195,23 +238,19 @@ Wear patch_wear(const WheelDetails& wheel, const PatchResult& patch) {
   return wear_of_patch(patch, wheel.damage);
 }
 
-WearPlaces wear_places(const WheelDetails& wheel, const PatchResult& patch) {
-  WearPlaces places;
-  if (!wheel.damage.wear || !patch.parts.empty() || !has_tractions(patch)) {
-    return places;
-  }
-  const PosedPair pair = wheel.pair();
-  const Grid& grid = patch.creep->grid;
-  for (std::size_t row = 0; row < grid.lateral_count; ++row) {
-    const SurfacePlace surface =
-        surfaces_at(pair, patch.frame, patch.contact.centroid_longitudinal, grid.lateral(row));
-    double t_rail = 0.0;
-    double v_rail = 0.0;
-    wheel.rail->to_profile_frame(surface.rail.y, surface.rail.z, t_rail, v_rail);
-    places.s_wheel.push_back(surface.wheel_lateral);
-    places.t_rail.push_back(t_rail);
-  }
-  return places;
+RowPlaces wear_places(const WheelDetails& wheel, const PatchResult& patch) {
+  return wheel.damage.wear && patch.parts.empty() && has_tractions(patch)
+             ? places_of_rows(wheel, patch, patch.creep->grid)
+             : RowPlaces();
+}
+
+std::array<std::vector<double>, 2> patch_groove(const WheelDetails& wheel,
+                                                const PatchResult& patch) {
+  return has_groove(patch, wheel.damage) ? groove_of(patch) : std::array<std::vector<double>, 2>();
+}
+
+RowPlaces groove_places(const WheelDetails& wheel, const PatchResult& patch) {
+  return has_groove(patch, wheel.damage) ? places_of_rows(wheel, patch, patch.grid) : RowPlaces();
 }
 
 } // namespace wrc

@@ -10,6 +10,7 @@
 /// Not known here: what patches of one wheel add to each other's stresses.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "damage/subsurface_stress.hpp"
@@ -35,11 +36,17 @@ SubsurfaceStress stresses_below(const PatchResult& patch, const DamageRequest& r
 StressSection stress_section(const WheelDetails& wheel, const PatchResult& patch);
 /// Wear by element of the creep grid and by its rows; empty if it was not requested.
 Wear patch_wear(const WheelDetails& wheel, const PatchResult& patch);
-/// Where its rows lie on the profiles: s of the wheel, t of the rail.
-struct WearPlaces {
+/// Where rows lie on the profiles: s of the wheel, t of the rail.
+struct RowPlaces {
   std::vector<double> s_wheel;
   std::vector<double> t_rail;
 };
-WearPlaces wear_places(const WheelDetails& wheel, const PatchResult& patch);
+RowPlaces wear_places(const WheelDetails& wheel, const PatchResult& patch);
+
+/// The groove that passes have left, by rows of the patch and along their normals: of the wheel, of
+/// the rail; empty if it was not requested, 0 where steel does not yield.
+std::array<std::vector<double>, 2> patch_groove(const WheelDetails& wheel,
+                                                const PatchResult& patch);
+RowPlaces groove_places(const WheelDetails& wheel, const PatchResult& patch);
 
 } // namespace wrc

@@ -58,7 +58,7 @@ void add_indentations(const WheelResult& side, std::span<const PatchResult* cons
   std::vector<YieldTerms> terms;
   for (std::size_t k = 0; k < patches.size(); ++k) {
     terms.emplace_back(patches[k]->grid, pressures[k], patches[k]->row_scales,
-                       yielding_of(*patches[k], side.details));
+                       yielding_of(*patches[k], side.details), patches[k]->groove.carried);
   }
   for (std::size_t b = 0; !terms.empty() && b < terms.front().excess.size(); ++b) {
     Fields excess;

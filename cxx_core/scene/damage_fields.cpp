@@ -83,6 +83,22 @@ constexpr std::array fields{
                [](const WheelDetails& side, const PatchResult& patch) {
                  return wear_places(side, patch).t_rail;
                }},
+    PatchField{"groove_depth_wheel", length,
+               [](const WheelDetails& side, const PatchResult& patch) {
+                 return patch_groove(side, patch)[0];
+               }},
+    PatchField{"groove_depth_rail", length,
+               [](const WheelDetails& side, const PatchResult& patch) {
+                 return patch_groove(side, patch)[1];
+               }},
+    PatchField{"groove_s_wheel", length,
+               [](const WheelDetails& side, const PatchResult& patch) {
+                 return groove_places(side, patch).s_wheel;
+               }},
+    PatchField{"groove_t_rail", length,
+               [](const WheelDetails& side, const PatchResult& patch) {
+                 return groove_places(side, patch).t_rail;
+               }},
 };
 
 } // namespace

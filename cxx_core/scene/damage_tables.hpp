@@ -41,6 +41,7 @@ inline constexpr std::array damage_numbers{
     OfDamage{"wear.tgamma_with_spin", force, of_wear<&WearTotals::tgamma_with_spin>},
     OfDamage{"wear.volume", surface, of_wear<&WearTotals::volume>},
     OfDamage{"wear.depth_max", length, of_wear<&WearTotals::depth>},
+    OfDamage{"groove.depth_max", length, member<&ContactDamage::groove_depth>},
     OfDamage{"fatigue.friction", pure, of_fatigue<&Fatigue::friction>},
     OfDamage{"fatigue.pressure_ratio", pure, of_fatigue<&Fatigue::pressure_ratio>},
     OfDamage{"fatigue.elastic_limit", pure,

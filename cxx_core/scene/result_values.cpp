@@ -184,7 +184,7 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix, 
   // Results of solutions that have not converged may be not-a-number. Others are not computed for a
   // name.
   const bool converged = side.stop_reason == StopReason::tolerance_met;
-  if (side.solved && !side.patches.empty() && !side.validity &&
+  if (side.solved && !side.patches.empty() && !side.validity && !is_pressed_again(side) &&
       ((converged && side.depth > 0.0) || side.sensitivities() != nullptr)) {
     add_names(names, prefix + "sensitivities.", sensitivity_numbers);
     add_names(names, prefix + "sensitivities.at_load.", condensed_numbers);

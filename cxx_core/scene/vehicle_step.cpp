@@ -146,6 +146,10 @@ Scene scene_at(const Scene& scene, const VehicleState& state) {
     throw_invalid_argument("solve.model", model.name,
                            "must be \"auto\" or \"half-space\" in a step with derivatives");
   }
+  if (state.derivatives && scene.passes > 1 && !yielding_bodies_of(scene).empty()) {
+    throw_invalid_argument("solve.passes", scene.passes,
+                           "must be 1 in a step with derivatives of steel that yields");
+  }
   Scene posed = scene;
   const auto set_six = [&posed](const SixNumbers& values, const std::array<const char*, 6>& keys) {
     for (std::size_t i = 0; i < keys.size(); ++i) {

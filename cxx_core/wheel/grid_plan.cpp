@@ -13,6 +13,7 @@
 #include "remesh/mean_curve.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "wheel/constants.hpp"
+#include "wheel/wheel_warnings.hpp"
 
 namespace wrc {
 namespace {
@@ -324,6 +325,12 @@ double set_grids(GridSolution& solution, const RailSurface& rail, const GridChoi
     solution.patches[k].grid = choice.grid_of(solution.patches[k], areas[k]);
   }
   return wanted;
+}
+
+bool outgrows_grid(const GridSolution& solution) {
+  return std::ranges::any_of(solution.patches, [](const Patch& patch) {
+    return patch.contact.touches_edge.any() && !reaches_neighbour(patch);
+  });
 }
 
 } // namespace wrc

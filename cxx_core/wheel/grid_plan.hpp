@@ -63,4 +63,7 @@ void set_curves(GridSolution& solution, const PosedPair& pair, const WheelReques
 double set_grids(GridSolution& solution, const RailSurface& rail, const GridChoice& grids,
                  double limit);
 
+/// A patch just born: its penetration at a depth less than the one found is too small for it.
+bool outgrows_grid(const GridSolution& solution);
+
 } // namespace wrc

@@ -17,6 +17,7 @@
 #include "wheel/constants.hpp"
 #include "wheel/depth_checks.hpp"
 #include "wheel/grid_plan.hpp"
+#include "wheel/repeated_passes.hpp"
 #include "wheel/wheel_warnings.hpp"
 #include "wheel/yielded_wheel.hpp"
 
@@ -108,6 +109,7 @@ private:
   double load_imbalance_ = 0.0;         ///< of the last solution, before its pressures were scaled
   double elements_wanted_ = 0.0;        ///< most that grids would have without their limit
   std::optional<GridSolution> elastic_; ///< once steel yields: what it would be without
+  std::optional<GridSolution> pass_;    ///< the pass before, if steel was pressed already
   WheelSolution result_;
 };
 
@@ -242,6 +244,9 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
     if (starts) {
       patch.pressure = pressure_at(patch, before->patches[k]);
     }
+    if (pass_) {
+      take_groove(*pass_, patch);
+    }
     if (!request_.position_is_prescribed()) {
       patch.approach_shares = rail_normals_[k].shares({0.0, 0.0, 1.0});
     }
@@ -250,7 +255,8 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
                  over_scales(patch.grid, patch.row_scales, patch.pressure),
                  row_angles(patch.frame, patch.grid)};
     gaps.push_back({patch.grid, scaled[k].distance, patch.frame.normal.z, scaled[k].pressure,
-                    scaled[k].approach_shares, scaled[k].angles, patch.row_scales});
+                    scaled[k].approach_shares, scaled[k].angles, patch.row_scales,
+                    patch.groove.carried});
   }
   NormalProblem problem;
   problem.patches = gaps;
@@ -283,6 +289,9 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
     patch.pressure = times_scales(patch.grid, patch.row_scales, solved.patches[k].pressure);
     patch.normal_force =
         patch.grid.element_area() * sum_of(patch.pressure.data(), patch.pressure.size());
+    if (elastic_) {
+      leave_groove(request_.yielding, solved.patches[k].indentation, patch);
+    }
   }
   result_.iterations += solved.iterations;
   result_.convolutions += solved.convolutions;
@@ -323,13 +332,6 @@ void WheelSolver::find_peaks(GridSolution& solution) {
     }
   }
   result_.times.mechanics += watch.seconds();
-}
-
-/// A patch just born: its penetration at a depth less than the one found is too small for it.
-bool outgrows_grid(const GridSolution& solution) {
-  return std::ranges::any_of(solution.patches, [](const Patch& patch) {
-    return patch.contact.touches_edge.any() && !reaches_neighbour(patch);
-  });
 }
 
 /// Near the depth found, on more elements where the estimate asks for them.
@@ -392,7 +394,12 @@ GridSolution WheelSolver::let_steel_yield(double depth, const std::optional<Grid
     before = solve_at(depth, GridChoice(coarse_counts()), coarse_tolerance, &before);
     depth = next_depth(before, depth);
   }
-  return solve_finally(depth, std::move(before));
+  GridSolution solution = solve_finally(depth, std::move(before));
+  for (int pass = 1; pass < request_.passes && !solution.no_contact(); ++pass) {
+    pass_ = solution;
+    solution = solve_finally(next_depth(*pass_, depth), solution);
+  }
+  return solution;
 }
 
 void WheelSolver::warn_of_limit() {

@@ -6,7 +6,6 @@
 
 #include "base/error.hpp"
 #include "base/smoothstep.hpp"
-#include "half_space/constants.hpp"
 #include "wheel/constants.hpp"
 
 namespace wrc {
@@ -84,9 +83,8 @@ void set_elastic_peaks(GridSolution& solution, const GridSolution& elastic,
     }
   }
   for (Patch& patch : solution.patches) {
-    const double times_yield_stress = *patch.elastic_peak / softest_of(bodies);
-    patch.bend = std::max(patch.bend, smoothstep((times_yield_stress - yield_onset) /
-                                                 (yield_rim_whole - yield_onset)));
+    const double beyond = *patch.elastic_peak / onset_of_yield(bodies) - 1.0;
+    patch.bend = std::max(patch.bend, smoothstep(beyond / (yield_rim_whole - 1.0)));
     double& peak = patch.contact.peak_pressure;
     if (*patch.elastic_peak > 0.0) {
       peak = std::min(peak, *patch.elastic_peak);
@@ -109,7 +107,10 @@ void state_error_of_yield(WheelSolution& result) {
   }
   const WheelRequest& request = result.request;
   const double beyond = elastic / softest_of(request.yielding);
-  const double of_pmax = beyond > yield_well_known ? yield_error_far_beyond : yield_error_of_pmax;
+  const bool again = request.passes > 1;
+  const double of_pmax =
+      std::hypot(beyond > yield_well_known ? yield_error_far_beyond : yield_error_of_pmax,
+                 again ? yield_error_of_passes : 0.0);
   result.model_error = std::hypot(result.model_error.value_or(0.0),
                                   request.accuracy_of == AccuracyOf::pressures ? of_pmax
                                   : request.position_is_prescribed()           ? of_pmax
@@ -118,10 +119,16 @@ void state_error_of_yield(WheelSolution& result) {
   result.warnings.push_back(
       {WarningClass::first_pressing,
        "steel yields: pmax is " + text_of(std::round(result.peak_pressure)) +
-           " MPa instead of an elastic " + text_of(std::round(elastic)) +
-           " MPa, as at a first pressing without tractions; the law knows pmax to " +
-           text_of(100.0 * of_pmax) + " %, the area to " + text_of(100.0 * yield_error_of_area) +
-           " %" + (compared ? "" : "; it was not compared at such pressures"),
+           " MPa instead of an elastic " + text_of(std::round(elastic)) + " MPa, as at " +
+           (again ? "pass " + text_of(request.passes) + " over the same place"
+                  : "a first pressing") +
+           " without tractions; " +
+           (again
+                ? "repeated passes were not compared with finite elements and have no derivatives; "
+                : "") +
+           "the law knows pmax to " + text_of(std::round(100.0 * of_pmax)) + " %, the area to " +
+           text_of(100.0 * yield_error_of_area) + " %" +
+           (compared ? "" : "; it was not compared at such pressures"),
        compared ? of_pmax / yield_error_of_pmax : std::numeric_limits<double>::infinity()});
 }
 

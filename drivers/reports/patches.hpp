@@ -27,5 +27,6 @@ std::vector<PatchName> parts_with(const Scene& scene, const std::vector<PatchNam
 
 inline constexpr const char* creep_result = "creep_force.longitudinal";
 inline constexpr const char* stress_result = "stress.von_mises_max";
+inline constexpr const char* groove_result = "groove.depth_max";
 
 } // namespace driver

@@ -35,8 +35,42 @@ void set_keys(driver::Scene& scene, const std::string& scene_file,
   driver::apply_assignments(scene, assignments);
 }
 
+/// Files for profiles less the groove.
+struct GroovedFiles {
+  std::string wheel;
+  std::string rail;
+
+  void add_to(driver::Program& app) {
+    app.add("--grooved-wheel", wheel,
+            "write the wheel's profile less the groove that steel keeps where it yields; with one "
+            "solve.side and solve.results=groove")
+        .type("FILE");
+    app.add("--grooved-rail", rail, "likewise the rail's").type("FILE");
+  }
+  void check(const driver::Scene& scene) const {
+    const bool known = scene.get_text("solve.results").find("groove") != std::string::npos &&
+                       scene.get_text("solve.side") != "both";
+    if (!known && !(wheel.empty() && rail.empty())) {
+      throw driver::Failure(
+          (wheel.empty() ? "--grooved-rail " + rail : "--grooved-wheel " + wheel) +
+          ": needs the groove of one wheel; add --set solve.results=groove "
+          "solve.side=left");
+    }
+  }
+  void write(const driver::Scene& scene) const {
+    if (!wheel.empty()) {
+      driver::write_grooved_profile(scene, true, wheel);
+    }
+    if (!rail.empty()) {
+      driver::write_grooved_profile(scene, false, rail);
+    }
+  }
+};
+
 /// Mistakes that show before the scene is solved.
-void check(const driver::Scene& scene, const std::string& plot, const std::string& stress) {
+void check(const driver::Scene& scene, const std::string& plot, const std::string& stress,
+           const GroovedFiles& grooved) {
+  grooved.check(scene);
   if (!plot.empty()) {
     driver::require_picture_name(plot);
   }
@@ -77,6 +111,7 @@ int main(int argc, char** argv) {
   bool csv = false;
   int digits = 6;
   std::string vtk, plot, field, creep_field, stress, save;
+  GroovedFiles grooved;
   app.add("SCENE", scene_file, "scene file in TOML; every key is optional");
   app.add("--set", assignments,
           "set one or more keys of the scene, such as pose.lateral=5 track.rail=CHN60; may be "
@@ -96,6 +131,7 @@ int main(int argc, char** argv) {
       .type("FILE.csv");
   app.add("--stress", stress, "write sections of the stresses below the surface as legacy VTK")
       .type("FILE.vtk");
+  grooved.add_to(app);
   app.add("--save", save, "write all keys of the scene, to solve it again").type("FILE.toml");
   app.footer("\n" + keys_text() + driver::standard_names_text() + examples);
   return app.run(argc, argv, [&] {
@@ -104,9 +140,10 @@ int main(int argc, char** argv) {
     }
     driver::Scene scene;
     set_keys(scene, scene_file, assignments);
-    driver::refuse_overwriting({save, field, creep_field, vtk, stress, plot},
-                               inputs_of(scene, scene_file));
-    check(scene, plot, stress);
+    driver::refuse_overwriting(
+        {save, field, creep_field, vtk, stress, plot, grooved.wheel, grooved.rail},
+        inputs_of(scene, scene_file));
+    check(scene, plot, stress, grooved);
     const bool converged = scene.solve();
     if (!save.empty()) {
       scene.write(save);
@@ -135,6 +172,7 @@ int main(int argc, char** argv) {
     if (!stress.empty()) {
       driver::write_stress_vtk(scene, stress);
     }
+    grooved.write(scene);
     if (!plot.empty()) {
       driver::draw_scene(scene, plot, driver::warnings_of(scene));
     }

@@ -32,4 +32,8 @@ void write_vtk(const Scene& scene, const std::filesystem::path& path);
 /// Sections of stresses below the surface as a legacy VTK unstructured grid in the track frame,
 /// stresses at its points. Throws Failure if there are none.
 void write_stress_vtk(const Scene& scene, const std::filesystem::path& path);
+
+/// The wheel's or rail's profile of the one side solved, less its groove. Its points are close
+/// enough for the groove, and are to be read without smoothing.
+void write_grooved_profile(const Scene& scene, bool wheel, const std::filesystem::path& path);
 } // namespace driver

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "reports/warning_summary.hpp"
+#include "reports/worn_profile.hpp"
 #include "support/gnuplot.hpp"
 #include "support/numbers.hpp"
 #include "support/output_file.hpp"
@@ -18,7 +19,6 @@
 #include "support/program.hpp"
 #include "support/scene_file.hpp"
 #include "wrc_wear/mission.hpp"
-#include "wrc_wear/worn_profile.hpp"
 
 namespace driver {
 namespace {

@@ -207,6 +207,7 @@ MEANINGS = {
     "left.patches.N.wear.tgamma_with_spin": "-(Fx xi + Fy eta), N",
     "left.patches.N.wear.volume": "per distance rolled, mm^3/mm, by wear.law",
     "left.patches.N.wear.depth_max": "greatest depth that one pass takes off the rail, or one turn off the wheel, mm",
+    "left.patches.N.groove.depth_max": "greatest depth that passes over steel that yields leave on wheel and rail together, along the normal, mm",
     "left.patches.N.fatigue.friction": "working point on the shakedown map",
     "left.patches.N.fatigue.pressure_ratio": "working point on the shakedown map",
     "left.patches.N.fatigue.elastic_limit": "limits of p0/k at that friction",

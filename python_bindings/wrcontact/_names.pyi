@@ -56,10 +56,10 @@ class SceneKeywords(Handle):
         solve_accuracy_of: T = ..., accuracy_of: T = ..., solve_accuracy: N = ..., accuracy: N = ..., solve_grid: L = ..., grid: L = ...,
         solve_tolerance: N = ..., tolerance: N = ..., solve_element_limit: N = ..., element_limit: N = ...,
         solve_joining_distance: N = ..., joining_distance: N = ..., solve_near_tolerance: N = ..., near_tolerance: N = ...,
-        solve_threads: N = ..., threads: N = ..., solve_results: W = ..., results: W = ..., stress_body: T = ..., body: T = ...,
-        stress_section: T = ..., section: T = ..., wear_law: T = ..., law: T = ..., wear_energy_coefficient: N = ...,
-        energy_coefficient: N = ..., wear_hardness: N = ..., hardness: N = ..., wear_scale: N = ..., scale: N = ...,
-        fatigue_shear_yield: N = ..., shear_yield: N = ...) -> None: ...
+        solve_passes: N = ..., passes: N = ..., solve_threads: N = ..., threads: N = ..., solve_results: W = ..., results: W = ...,
+        stress_body: T = ..., body: T = ..., stress_section: T = ..., section: T = ..., wear_law: T = ..., law: T = ...,
+        wear_energy_coefficient: N = ..., energy_coefficient: N = ..., wear_hardness: N = ..., hardness: N = ..., wear_scale: N = ...,
+        scale: N = ..., fatigue_shear_yield: N = ..., shear_yield: N = ...) -> None: ...
     def set(self: _Self, *,
         convention_units: T = ..., units: T = ..., convention_frame: T = ..., frame: T = ..., track_gauge: N = ..., gauge: N = ...,
         track_gauge_height: N = ..., gauge_height: N = ..., track_inclination: N = ..., inclination: N = ..., track_rail: P = ...,
@@ -91,10 +91,10 @@ class SceneKeywords(Handle):
         solve_accuracy_of: T = ..., accuracy_of: T = ..., solve_accuracy: N = ..., accuracy: N = ..., solve_grid: L = ..., grid: L = ...,
         solve_tolerance: N = ..., tolerance: N = ..., solve_element_limit: N = ..., element_limit: N = ...,
         solve_joining_distance: N = ..., joining_distance: N = ..., solve_near_tolerance: N = ..., near_tolerance: N = ...,
-        solve_threads: N = ..., threads: N = ..., solve_results: W = ..., results: W = ..., stress_body: T = ..., body: T = ...,
-        stress_section: T = ..., section: T = ..., wear_law: T = ..., law: T = ..., wear_energy_coefficient: N = ...,
-        energy_coefficient: N = ..., wear_hardness: N = ..., hardness: N = ..., wear_scale: N = ..., scale: N = ...,
-        fatigue_shear_yield: N = ..., shear_yield: N = ...) -> _Self: ...
+        solve_passes: N = ..., passes: N = ..., solve_threads: N = ..., threads: N = ..., solve_results: W = ..., results: W = ...,
+        stress_body: T = ..., body: T = ..., stress_section: T = ..., section: T = ..., wear_law: T = ..., law: T = ...,
+        wear_energy_coefficient: N = ..., energy_coefficient: N = ..., wear_hardness: N = ..., hardness: N = ..., wear_scale: N = ...,
+        scale: N = ..., fatigue_shear_yield: N = ..., shear_yield: N = ...) -> _Self: ...
 
 @overload  # type: ignore  # without arguments both fit: the first one holds
 def solve(*,
@@ -128,10 +128,10 @@ def solve(*,
         solve_accuracy_of: T = ..., accuracy_of: T = ..., solve_accuracy: N = ..., accuracy: N = ..., solve_grid: L = ..., grid: L = ...,
         solve_tolerance: N = ..., tolerance: N = ..., solve_element_limit: N = ..., element_limit: N = ...,
         solve_joining_distance: N = ..., joining_distance: N = ..., solve_near_tolerance: N = ..., near_tolerance: N = ...,
-        solve_threads: N = ..., threads: N = ..., solve_results: W = ..., results: W = ..., stress_body: T = ..., body: T = ...,
-        stress_section: T = ..., section: T = ..., wear_law: T = ..., law: T = ..., wear_energy_coefficient: N = ...,
-        energy_coefficient: N = ..., wear_hardness: N = ..., hardness: N = ..., wear_scale: N = ..., scale: N = ...,
-        fatigue_shear_yield: N = ..., shear_yield: N = ...) -> Result: ...
+        solve_passes: N = ..., passes: N = ..., solve_threads: N = ..., threads: N = ..., solve_results: W = ..., results: W = ...,
+        stress_body: T = ..., body: T = ..., stress_section: T = ..., section: T = ..., wear_law: T = ..., law: T = ...,
+        wear_energy_coefficient: N = ..., energy_coefficient: N = ..., wear_hardness: N = ..., hardness: N = ..., wear_scale: N = ...,
+        scale: N = ..., fatigue_shear_yield: N = ..., shear_yield: N = ...) -> Result: ...
 @overload
 def solve(*, outputs: Union[str, Sequence[str]] = ..., progress: Union[Callable[[float], object], None] = ...,
         convention_units: T = ..., units: T = ..., convention_frame: T = ..., frame: T = ..., track_gauge: Ns = ..., gauge: Ns = ...,
@@ -164,10 +164,11 @@ def solve(*, outputs: Union[str, Sequence[str]] = ..., progress: Union[Callable[
         method: T = ..., solve_curved: B = ..., curved: B = ..., solve_model: T = ..., model: T = ..., solve_accuracy_of: T = ...,
         accuracy_of: T = ..., solve_accuracy: Ns = ..., accuracy: Ns = ..., solve_grid: L = ..., grid: L = ..., solve_tolerance: Ns = ...,
         tolerance: Ns = ..., solve_element_limit: Ns = ..., element_limit: Ns = ..., solve_joining_distance: Ns = ...,
-        joining_distance: Ns = ..., solve_near_tolerance: Ns = ..., near_tolerance: Ns = ..., solve_threads: Ns = ..., threads: Ns = ...,
-        solve_results: W = ..., results: W = ..., stress_body: T = ..., body: T = ..., stress_section: T = ..., section: T = ...,
-        wear_law: T = ..., law: T = ..., wear_energy_coefficient: Ns = ..., energy_coefficient: Ns = ..., wear_hardness: Ns = ...,
-        hardness: Ns = ..., wear_scale: Ns = ..., scale: Ns = ..., fatigue_shear_yield: Ns = ..., shear_yield: Ns = ...) -> xarray.Dataset: ...
+        joining_distance: Ns = ..., solve_near_tolerance: Ns = ..., near_tolerance: Ns = ..., solve_passes: Ns = ..., passes: Ns = ...,
+        solve_threads: Ns = ..., threads: Ns = ..., solve_results: W = ..., results: W = ..., stress_body: T = ..., body: T = ...,
+        stress_section: T = ..., section: T = ..., wear_law: T = ..., law: T = ..., wear_energy_coefficient: Ns = ...,
+        energy_coefficient: Ns = ..., wear_hardness: Ns = ..., hardness: Ns = ..., wear_scale: Ns = ..., scale: Ns = ...,
+        fatigue_shear_yield: Ns = ..., shear_yield: Ns = ...) -> xarray.Dataset: ...
 def study(parameters: Mapping[str, Any], results: Union[str, Sequence[str]] = ..., *, threads: int = ..., separator: str = ...,
         progress: Union[Callable[[float], object], None] = ...,
         convention_units: T = ..., units: T = ..., convention_frame: T = ..., frame: T = ..., track_gauge: N = ..., gauge: N = ...,
@@ -200,9 +201,10 @@ def study(parameters: Mapping[str, Any], results: Union[str, Sequence[str]] = ..
         solve_accuracy_of: T = ..., accuracy_of: T = ..., solve_accuracy: N = ..., accuracy: N = ..., solve_grid: L = ..., grid: L = ...,
         solve_tolerance: N = ..., tolerance: N = ..., solve_element_limit: N = ..., element_limit: N = ...,
         solve_joining_distance: N = ..., joining_distance: N = ..., solve_near_tolerance: N = ..., near_tolerance: N = ...,
-        solve_threads: N = ..., solve_results: W = ..., stress_body: T = ..., body: T = ..., stress_section: T = ..., section: T = ...,
-        wear_law: T = ..., law: T = ..., wear_energy_coefficient: N = ..., energy_coefficient: N = ..., wear_hardness: N = ...,
-        hardness: N = ..., wear_scale: N = ..., scale: N = ..., fatigue_shear_yield: N = ..., shear_yield: N = ...) -> xarray.Dataset: ...
+        solve_passes: N = ..., passes: N = ..., solve_threads: N = ..., solve_results: W = ..., stress_body: T = ..., body: T = ...,
+        stress_section: T = ..., section: T = ..., wear_law: T = ..., law: T = ..., wear_energy_coefficient: N = ...,
+        energy_coefficient: N = ..., wear_hardness: N = ..., hardness: N = ..., wear_scale: N = ..., scale: N = ...,
+        fatigue_shear_yield: N = ..., shear_yield: N = ...) -> xarray.Dataset: ...
 
 class WheelCentroid(Group):
     angle: float
@@ -231,6 +233,9 @@ class WheelFatigue(Group):
 class WheelGrid(Group):
     lateral: int
     longitudinal: int
+
+class WheelGroove(Group):
+    depth_max: float
 
 class WheelJacobianForceXBy(Group):
     lateral: float
@@ -321,6 +326,7 @@ class Patch(Group):
     friction: float
     friction_power: float
     grid: WheelGrid
+    groove: WheelGroove
     kalker: PatchKalker
     lateral_force: float
     lobes: int
@@ -372,6 +378,10 @@ class Patch(Group):
     wear_depth: Array
     wear_s_wheel: Array
     wear_t_rail: Array
+    groove_depth_wheel: Array
+    groove_depth_rail: Array
+    groove_s_wheel: Array
+    groove_t_rail: Array
     stress_place: Array
     stress_depth: Array
     stress_von_mises: Array
@@ -455,6 +465,7 @@ class Wheel(Group):
     fill: float
     grade: int
     grid: WheelGrid
+    groove: WheelGroove
     iterations: int
     jacobian: WheelJacobian
     lateral_force: float
@@ -512,6 +523,10 @@ class Wheel(Group):
     wear_depth: Array
     wear_s_wheel: Array
     wear_t_rail: Array
+    groove_depth_wheel: Array
+    groove_depth_rail: Array
+    groove_s_wheel: Array
+    groove_t_rail: Array
     stress_place: Array
     stress_depth: Array
     stress_von_mises: Array

@@ -32,6 +32,7 @@ struct Contact {
   std::vector<double> angles{};
   std::vector<double> row_scales{};
   std::vector<YieldingBody> bodies{};
+  std::vector<double> carried{};
   PatchGap gap{};
   NormalProblem problem{};
 
@@ -39,6 +40,7 @@ struct Contact {
     gap = {grid, distance};
     gap.angles = angles;
     gap.row_scales = row_scales;
+    gap.carried = carried;
     problem.patches = {&gap, 1};
     problem.combined_modulus = steel_modulus;
     problem.tolerance = tolerance;
@@ -206,6 +208,64 @@ TEST(Yielding, AtTheApproachFoundCarriesTheLoad) {
   at.bodies = contact.bodies;
   at.make(approach);
   EXPECT_NEAR(NormalSolver().solve_yielding(at.problem).patches[0].normal_force, load, 1e-5 * load);
+}
+
+/// The contact, once it has carried the pressures of a solution in place.
+Contact pressed_before(const Contact& contact, const NormalSolution& solution) {
+  Contact dented = contact;
+  for (const std::vector<double>& by_body : solution.patches[0].indentation) {
+    for (std::size_t i = 0; i < by_body.size(); ++i) {
+      dented.distance[i] += by_body[i];
+    }
+  }
+  dented.carried = solution.patches[0].pressure;
+  return dented;
+}
+
+TEST(Yielding, PressedAgainInPlaceIsElasticWithTheSamePressures) {
+  Contact contact = paraboloid(30, 30);
+  contact.bodies = {{300.0, 0.5}, {400.0, 0.5}};
+  contact.make();
+  const NormalSolution first = NormalSolver().solve_yielding(contact.problem);
+  Contact again = pressed_before(contact, first);
+  again.make();
+  const double greatest = largest(first.patches[0].pressure);
+  for (const NormalSolution& second :
+       {NormalSolver().solve_yielding(again.problem), NormalSolver().solve(again.problem)}) {
+    EXPECT_EQ(second.stop_reason, StopReason::tolerance_met);
+    for (std::size_t i = 0; i < again.carried.size(); ++i) {
+      EXPECT_NEAR(second.patches[0].pressure[i], first.patches[0].pressure[i], 1e-5 * greatest);
+    }
+    EXPECT_NEAR(second.approach, first.approach, 1e-5 * first.approach);
+  }
+}
+
+/// With rows that have carried pressures: the gap is the derivative of the energy.
+TEST(Yielding, OfSteelPressedBeforeClosesTheGapsOfItsEnergy) {
+  Contact contact = paraboloid(24, 20);
+  contact.bodies = {{300.0, 1.0}};
+  contact.make();
+  const double first = largest(NormalSolver().solve_yielding(contact.problem).patches[0].pressure);
+  for (std::size_t row = 0; row < 24; ++row) {
+    contact.carried.push_back(row < 12 ? 0.9 * first : 0.0);
+  }
+  contact.make();
+  const NormalSolution solution = NormalSolver().solve_yielding(contact.problem);
+  ASSERT_EQ(solution.stop_reason, StopReason::tolerance_met);
+  const std::vector<double>& pressure = solution.patches[0].pressure;
+  EXPECT_GT(largest({pressure.begin(), pressure.begin() + 240}), 1.02 * first);
+  DisplacementOperator displace(contact.grid, steel_modulus, Elements::smooth, {});
+  const YieldTerms terms(contact.grid, pressure, {}, contact.bodies, contact.carried);
+  std::vector<double> gap(pressure.size());
+  std::vector<double> by_excess(pressure.size());
+  displace.apply(pressure, gap);
+  displace.apply(terms.excess[0], by_excess);
+  terms.add_indentation(0, by_excess, gap);
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    const double rest = gap[i] + contact.distance[i] - solution.approach;
+    EXPECT_GE(rest, -1e-6 * solution.approach);
+    EXPECT_LE(pressure[i] > 0.0 ? rest : 0.0, 1e-6 * solution.approach);
+  }
 }
 
 /// Two patches that displace each other: each alone and less stiff would carry more.

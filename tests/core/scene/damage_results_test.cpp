@@ -112,6 +112,42 @@ TEST(DamageResults, EnergyOfElementsIsTheWearNumberAndVolumeThatOfTheLaw) {
   EXPECT_TRUE(spans(t_rail, number(result, patch + "t_rail")));
 }
 
+TEST(DamageResults, TheGrooveOfSteelThatYieldsLiesAroundTheContact) {
+  Scene scene;
+  set_text(scene, "solve.results", "groove");
+  scene.lateral = 6.2;
+  const std::string patch = "left.patches.0.";
+  SceneResult elastic = solve_scene(scene);
+  EXPECT_EQ(number(elastic, "left.groove.depth_max"), 0.0);
+  set_number(scene, "material.rail.yield_stress", 400.0);
+  set_number(scene, "material.wheel.yield_stress", 600.0);
+  set_number(scene, "solve.passes", 2.0);
+  SceneResult result = solve_scene(scene);
+  const auto wheel = *field_values(result, patch + "groove_depth_wheel");
+  const auto rail = *field_values(result, patch + "groove_depth_rail");
+  const auto s_wheel = *field_values(result, patch + "groove_s_wheel");
+  const auto t_rail = *field_values(result, patch + "groove_t_rail");
+  ASSERT_EQ(wheel.size(), t_rail.size());
+  ASSERT_EQ(rail.size(), s_wheel.size());
+  double deepest = 0.0;
+  std::size_t at = 0;
+  for (std::size_t row = 0; row < wheel.size(); ++row) {
+    EXPECT_GE(rail[row], wheel[row]); // the softer
+    if (wheel[row] + rail[row] > deepest) {
+      deepest = wheel[row] + rail[row];
+      at = row;
+    }
+  }
+  EXPECT_EQ(deepest, number(result, "left.groove.depth_max"));
+  EXPECT_EQ(deepest, number(result, patch + "groove.depth_max"));
+  EXPECT_GT(deepest, 0.005);
+  EXPECT_NEAR(s_wheel[at], number(result, patch + "s_wheel"), 3.0);
+  EXPECT_NEAR(t_rail[at], number(result, patch + "t_rail"), 3.0);
+  set_text(scene, "solve.results", "none");
+  SceneResult without = solve_scene(scene);
+  EXPECT_TRUE(field_values(without, patch + "groove_depth_rail")->empty());
+}
+
 TEST(DamageResults, AmountsOfAWheelAreSumsOverItsPatches) {
   Scene scene = braked("stress wear");
   set_text(scene, "track.rail", "56E1");

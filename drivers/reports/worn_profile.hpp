@@ -1,7 +1,8 @@
-/// A wheel profile that wears: points along its curve, each of which loses a depth along its
-/// normal.
+/// A profile that loses material, a wheel's by wear, or of both what a groove takes: points along
+/// its curve, each of which loses a depth along its normal.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace driver {
 
 class WornProfile {
 public:
-  /// Points of a wheel, `spacing` mm apart along the curve.
+  /// Points of a profile, `spacing` mm apart along the curve.
   WornProfile(const Profile& profile, double spacing);
 
   /// Notes an area in mm^2 that is worn off at position s, distributed to the two points beside it.
@@ -19,6 +20,13 @@ public:
   /// Takes off what was noted times `factor`, smoothed over some points; what is taken off is the
   /// area noted, exactly: normals cross where the profile is curved.
   void wear(double factor);
+  /// Depths along the normals at lateral positions in order, linear between them.
+  struct Groove {
+    std::vector<double> lateral;
+    std::vector<double> depth;
+  };
+  /// Takes them off as they are, the largest where several overlap.
+  void take_off(const std::vector<Groove>& grooves);
   /// Forgets what was noted.
   void clear() { noted_.assign(noted_.size(), 0.0); }
 
@@ -34,11 +42,13 @@ public:
 
 private:
   using Points = wrcontact::Profile::Points;
+  [[nodiscard]] std::size_t point_before(double lateral) const;
   [[nodiscard]] std::vector<double> smoothed() const;
   [[nodiscard]] Points moved(const std::vector<double>& depth) const;
   static double area_between(const Points& outer, const Points& inner);
 
   double spacing_;
+  std::int32_t kind_;
   Points fresh_;
   Points now_;
   std::vector<double> noted_;

@@ -1,8 +1,9 @@
-#include "wrc_wear/worn_profile.hpp"
+#include "reports/worn_profile.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace driver {
 namespace {
@@ -12,7 +13,8 @@ constexpr int smoothing_rounds = 8;
 
 } // namespace
 
-WornProfile::WornProfile(const Profile& profile, double spacing) : spacing_(spacing) {
+WornProfile::WornProfile(const Profile& profile, double spacing)
+    : spacing_(spacing), kind_(profile.kind()) {
   const auto count = static_cast<std::size_t>(std::ceil(profile.length() / spacing)) + 1;
   for (std::size_t i = 0; i < count; ++i) {
     const auto point =
@@ -24,7 +26,8 @@ WornProfile::WornProfile(const Profile& profile, double spacing) : spacing_(spac
   noted_.assign(count, 0.0);
 }
 
-void WornProfile::add(double s, double area) {
+/// The first of the two points beside it.
+std::size_t WornProfile::point_before(double s) const {
   // Of several points with this s (the flange's back) the one that touches: farthest to the field
   // side along the curve.
   const std::vector<double>& at = now_.lateral;
@@ -38,10 +41,50 @@ void WornProfile::add(double s, double area) {
       }
     }
   }
+  return found;
+}
+
+void WornProfile::add(double s, double area) {
+  const std::vector<double>& at = now_.lateral;
+  const std::size_t found = point_before(s);
   const double step = at[found + 1] - at[found];
   const double share = step != 0.0 ? std::clamp((s - at[found]) / step, 0.0, 1.0) : 0.5;
   noted_[found] += (1.0 - share) * area;
   noted_[found + 1] += share * area;
+}
+
+void WornProfile::take_off(const std::vector<Groove>& grooves) {
+  const std::vector<double>& at = now_.lateral;
+  std::vector<double> depths(at.size(), 0.0);
+  for (const Groove& groove : grooves) {
+    const std::vector<double>& places = groove.lateral;
+    const auto deepest = std::ranges::max_element(groove.depth);
+    if (places.size() < 2 || !(*deepest > 0.0)) {
+      continue;
+    }
+    const bool rises = places.back() > places.front();
+    /// False beyond the groove's ends.
+    const auto take = [&](std::size_t point) {
+      const auto next = rises ? std::ranges::lower_bound(places, at[point])
+                              : std::ranges::lower_bound(places, at[point], std::greater<>());
+      if (next == places.begin() || next == places.end()) {
+        return false;
+      }
+      const auto after = static_cast<std::size_t>(next - places.begin());
+      const double share = (at[point] - places[after - 1]) / (places[after] - places[after - 1]);
+      depths[point] =
+          std::max(depths[point], std::lerp(groove.depth[after - 1], groove.depth[after], share));
+      return true;
+    };
+    // To both sides of its middle: the curve may come back to the same lateral positions.
+    const std::size_t middle =
+        point_before(places[static_cast<std::size_t>(deepest - groove.depth.begin())]);
+    for (std::size_t point = middle + 1; point < at.size() && take(point); ++point) {
+    }
+    for (std::size_t point = middle + 1; point-- > 0 && take(point);) {
+    }
+  }
+  now_ = moved(depths);
 }
 
 std::vector<double> WornProfile::smoothed() const {
@@ -126,7 +169,8 @@ void WornProfile::wear(double factor) {
 Profile WornProfile::profile() const {
   Profile profile;
   constexpr double no_smoothing = 0.0; // points of a curve, which has no noise
-  profile.set_points("worn wheel", WRC_WHEEL, now_.lateral, now_.height, no_smoothing);
+  profile.set_points(kind_ == WRC_WHEEL ? "worn wheel" : "worn rail", kind_, now_.lateral,
+                     now_.height, no_smoothing);
   return profile;
 }
 
