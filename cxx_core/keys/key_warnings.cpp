@@ -15,6 +15,11 @@
 namespace wrc {
 namespace {
 
+bool keeps_no_groove(const Scene& s) {
+  return yielding_bodies_of(s).empty() || s.model == ModelRequest::hertz ||
+         s.model == ModelRequest::kik_piotrowski || s.solver == SolverChoice::paper;
+}
+
 using Condition = bool (*)(const Scene&);
 using Names = std::initializer_list<std::string_view>;
 
@@ -112,13 +117,12 @@ void add_unused(std::vector<Row>& rows) {
       },
       " changes states and fatigue alone: only the half-space yields, with solve.method = "
       "\"auto\"");
-  add(
-      {"solve.passes"}, {},
-      [](const Scene& s) {
-        return yielding_bodies_of(s).empty() || s.model == ModelRequest::hertz ||
-               s.model == ModelRequest::kik_piotrowski || s.solver == SolverChoice::paper;
-      },
+  add({"solve.passes"}, {}, keeps_no_groove,
       " is not used: only steel with a yield stress keeps a groove, in the half-space with "
+      "solve.method = \"auto\"");
+  add(
+      {"solve.results"}, {}, [](const Scene& s) { return s.damage.groove && keeps_no_groove(s); },
+      ": no groove: only steel with a yield stress keeps one, in the half-space with "
       "solve.method = \"auto\"");
   add({"solve.grid"}, {"solve.accuracy"}, [](const Scene& s) { return !s.grid; });
   add(

@@ -148,7 +148,8 @@ Scene scene_at(const Scene& scene, const VehicleState& state) {
   }
   if (state.derivatives && scene.passes > 1 && !yielding_bodies_of(scene).empty()) {
     throw_invalid_argument("solve.passes", scene.passes,
-                           "must be 1 in a step with derivatives of steel that yields");
+                           "must be 1 in a step with derivatives of steel that yields, and in an "
+                           "equilibrium, which needs them");
   }
   Scene posed = scene;
   const auto set_six = [&posed](const SixNumbers& values, const std::array<const char*, 6>& keys) {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.hpp"
 #include "base/reductions.hpp"
 #include "remesh/row_scales.hpp"
+#include "wheel/constants.hpp"
 
 namespace wrc {
 namespace {
@@ -29,6 +31,21 @@ std::vector<double> largest_of_rows(const Grid& grid, std::span<const double> fi
         std::ranges::max(field.subspan(row * grid.longitudinal_count, grid.longitudinal_count)));
   }
   return largest;
+}
+
+/// How much deeper a pass has made the groove where it did most, over its greatest depth.
+double deepened(const GridSolution& solution) {
+  double most = 0.0;
+  double deepest = 0.0;
+  for (const Patch& patch : solution.patches) {
+    const Groove& groove = patch.groove;
+    for (std::size_t row = 0; row < groove.depth[0].size(); ++row) {
+      const double depth = groove.depth[0][row] + groove.depth[1][row];
+      most = std::max(most, depth - (groove.found.empty() ? 0.0 : groove.found[row]));
+      deepest = std::max(deepest, depth);
+    }
+  }
+  return deepest > 0.0 ? most / deepest : 0.0;
 }
 
 } // namespace
@@ -72,6 +89,19 @@ void leave_groove(std::span<const YieldingBody> bodies,
       patch.groove.depth[1][row] += (1.0 - bodies[b].of_wheel) * added[row];
     }
   }
+}
+
+bool another_pass(const GridSolution& solution, int pass, int passes, Warnings& warnings) {
+  if (pass >= passes) {
+    return false;
+  }
+  if (solution.stop_reason != StopReason::tolerance_met) {
+    warnings.push_back({WarningClass::not_converged,
+                        "pass " + text_of(pass) + " of solve.passes = " + text_of(passes) +
+                            " is not solved to the tolerance: no later one was made"});
+    return false;
+  }
+  return deepened(solution) > settled_groove;
 }
 
 } // namespace wrc

@@ -10,12 +10,17 @@
 #include <span>
 
 #include "accuracy/grid_solution.hpp"
+#include "base/warning.hpp"
 
 namespace wrc {
 
 /// Adds to a patch, whose distances are those of the profiles, what the passes up to a solution
 /// have left. Patches of both have nearly the same planes where they overlap.
 void take_groove(const GridSolution& before, Patch& patch);
+
+/// Whether a pass is to follow this one: not beyond `passes`, where the groove is settled, or where
+/// this one has not converged, of which it warns.
+bool another_pass(const GridSolution& solution, int pass, int passes, Warnings& warnings);
 
 /// Adds what this pass leaves, once the patch is solved: the indentation of each body that yields,
 /// as its solver has it.

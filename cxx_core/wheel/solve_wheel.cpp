@@ -395,7 +395,7 @@ GridSolution WheelSolver::let_steel_yield(double depth, const std::optional<Grid
     depth = next_depth(before, depth);
   }
   GridSolution solution = solve_finally(depth, std::move(before));
-  for (int pass = 1; pass < request_.passes && !solution.no_contact(); ++pass) {
+  for (int pass = 1; another_pass(solution, pass, request_.passes, result_.warnings); ++pass) {
     pass_ = solution;
     solution = solve_finally(next_depth(*pass_, depth), solution);
   }

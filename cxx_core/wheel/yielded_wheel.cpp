@@ -111,10 +111,11 @@ void state_error_of_yield(WheelSolution& result) {
   const double of_pmax =
       std::hypot(beyond > yield_well_known ? yield_error_far_beyond : yield_error_of_pmax,
                  again ? yield_error_of_passes : 0.0);
-  result.model_error = std::hypot(result.model_error.value_or(0.0),
-                                  request.accuracy_of == AccuracyOf::pressures ? of_pmax
-                                  : request.position_is_prescribed()           ? of_pmax
-                                                                     : yield_error_of_forces);
+  result.model_error =
+      std::hypot(result.model_error.value_or(0.0), request.accuracy_of == AccuracyOf::pressures ||
+                                                           again || request.position_is_prescribed()
+                                                       ? of_pmax
+                                                       : yield_error_of_forces);
   const bool compared = beyond <= yield_compared;
   result.warnings.push_back(
       {WarningClass::first_pressing,

@@ -56,6 +56,12 @@ struct GroovedFiles {
           ": needs the groove of one wheel; add --set solve.results=groove "
           "solve.side=left");
     }
+    if (!wheel.empty()) {
+      driver::require_one_profile(scene, true);
+    }
+    if (!rail.empty()) {
+      driver::require_one_profile(scene, false);
+    }
   }
   void write(const driver::Scene& scene) const {
     if (!wheel.empty()) {

@@ -33,6 +33,9 @@ void write_vtk(const Scene& scene, const std::filesystem::path& path);
 /// stresses at its points. Throws Failure if there are none.
 void write_stress_vtk(const Scene& scene, const std::filesystem::path& path);
 
+/// A Failure if the wheel's or rail's profile of the one side solved varies along the rail.
+void require_one_profile(const Scene& scene, bool wheel);
+
 /// The wheel's or rail's profile of the one side solved, less its groove. Its points are close
 /// enough for the groove, and are to be read without smoothing.
 void write_grooved_profile(const Scene& scene, bool wheel, const std::filesystem::path& path);

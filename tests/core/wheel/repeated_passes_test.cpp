@@ -91,6 +91,29 @@ TEST(RepeatedPasses, SayThatTheyWereNotCompared) {
   EXPECT_GT(*twice.left->model_error, 1.3 * *once.left->model_error);
 }
 
+TEST(RepeatedPasses, EndWhereTheGrooveIsSettled) {
+  const SceneResult many = solve_scene(scene_at(6.2, 500.0, 100));
+  const SceneResult most = solve_scene(scene_at(6.2, 500.0, 1000));
+  EXPECT_EQ(many.left->pmax, most.left->pmax);
+  EXPECT_EQ(many.left->iterations, most.left->iterations);
+  EXPECT_NEAR(solve_scene(scene_at(6.2, 500.0, 12)).left->pmax, most.left->pmax,
+              2e-3 * most.left->pmax);
+}
+
+TEST(RepeatedPasses, EndAtOneThatDoesNotConverge) {
+  Scene scene = scene_at(6.2, 500.0, 3);
+  scene.grid = {24, 24};
+  scene.tolerance = 1e-16; // below what rounding permits
+  const SceneResult result = solve_scene(scene);
+  EXPECT_NE(result.left->stop_reason, StopReason::tolerance_met);
+  const auto text = [](const Warning& warning) { return warning.text; };
+  EXPECT_NE(std::ranges::find(result.left->warnings,
+                              "pass 1 of solve.passes = 3 is not solved to the tolerance: no later "
+                              "one was made",
+                              text),
+            result.left->warnings.end());
+}
+
 TEST(RepeatedPasses, HaveNoDerivatives) {
   EXPECT_NE(solve_scene(scene_at(6.2, 500.0, 1)).left->sensitivities(), nullptr);
   EXPECT_EQ(solve_scene(scene_at(6.2, 500.0, 2)).left->sensitivities(), nullptr);
