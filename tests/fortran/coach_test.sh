@@ -131,7 +131,7 @@ costs() {
 by_table() {
   local wrc_table
   wrc_table=$(dirname "$coach")/wrc_table
-  "$wrc_table" coarse.table --fineness 0.4 --lateral 8 --tolerance 0.15 --threads 2 >made.txt 2>&1
+  "$wrc_table" coarse.table --fineness 0.4 --lateral 8 --tolerance 0.1 --threads 2 >made.txt 2>&1
   "$coach" "${curve[@]}" --seconds 1 --creep full >full.txt
   "$coach" "${curve[@]}" --seconds 1 --table coarse.table >table.txt
   "$coach" "${curve[@]}" --seconds 0.2 --method explicit --table coarse.table --lateral-speed 0.05 >track.txt
