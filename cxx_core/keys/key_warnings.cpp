@@ -15,9 +15,13 @@
 namespace wrc {
 namespace {
 
+bool solves_elastic_bodies(const Scene& s) {
+  return s.model == ModelRequest::hertz || s.model == ModelRequest::kik_piotrowski ||
+         s.solver == SolverChoice::paper;
+}
+
 bool keeps_no_groove(const Scene& s) {
-  return yielding_bodies_of(s).empty() || s.model == ModelRequest::hertz ||
-         s.model == ModelRequest::kik_piotrowski || s.solver == SolverChoice::paper;
+  return yielding_bodies_of(s).empty() || solves_elastic_bodies(s);
 }
 
 using Condition = bool (*)(const Scene&);
@@ -109,12 +113,7 @@ void add_unused(std::vector<Row>& rows) {
       " is not used: no rail varies along the track");
   add({"pose.pitch"}, {}, has_round_wheels, " is not used: no wheel varies around its axle");
 
-  add(
-      {"material.wheel.yield_stress", "material.rail.yield_stress"}, {},
-      [](const Scene& s) {
-        return s.model == ModelRequest::hertz || s.model == ModelRequest::kik_piotrowski ||
-               s.solver == SolverChoice::paper;
-      },
+  add({"material.wheel.yield_stress", "material.rail.yield_stress"}, {}, solves_elastic_bodies,
       " changes states and fatigue alone: only the half-space yields, with solve.method = "
       "\"auto\"");
   add({"solve.passes"}, {}, keeps_no_groove,

@@ -30,6 +30,18 @@ constexpr std::string_view yield_range =
     "\"none\", 100 to 1e4 MPa, or one of \"ER6\" to \"ER9\", \"R200\", \"R220\", \"R260\", "
     "\"R320Cr\", \"R350HT\", \"R370CrHT\", \"R400HT\"";
 
+/// A whole number from 1 on.
+Key count_key(const KeyDescription& description, double most, int Scene::*place) {
+  Key key;
+  key.description = description;
+  key.min = 1.0;
+  key.max = most;
+  key.whole = true;
+  key.get = [place](const Scene& s) { return KeyValue(static_cast<double>(s.*place)); };
+  key.set_number = [place](Scene& s, double v) { s.*place = static_cast<int>(v); };
+  return key;
+}
+
 Key yield_key(const KeyDescription& description, Steel Scene::*place) {
   Key key = optional_key(
       description, {100.0, 1e4},
@@ -250,25 +262,14 @@ std::vector<Key> solution_keys() {
       {"solve.near_tolerance", "0.1", "0 to 10 mm",
        "further contacts are listed if their distance at first touch is smaller than this"},
       {0.0, 10.0}, length, &Scene::near_tolerance));
-  Key passes;
-  passes.description = {"solve.passes", "1", "a whole number, 1 to 1000",
-                        "how often the wheel has rolled over the same place of the rail, this time "
-                        "included; where steel yields, both keep the groove of earlier passes"};
-  passes.min = 1.0;
-  passes.max = 1000.0;
-  passes.whole = true;
-  passes.get = [](const Scene& s) { return KeyValue(static_cast<double>(s.passes)); };
-  passes.set_number = [](Scene& s, double v) { s.passes = static_cast<int>(v); };
-  keys.push_back(passes);
-  Key threads;
-  threads.description = {"solve.threads", "1", "a whole number, 1 to 1024",
-                         "number of threads; results do not depend on it"};
-  threads.min = 1.0;
-  threads.max = 1024.0;
-  threads.whole = true;
-  threads.get = [](const Scene& s) { return KeyValue(static_cast<double>(s.threads)); };
-  threads.set_number = [](Scene& s, double v) { s.threads = static_cast<int>(v); };
-  keys.push_back(threads);
+  keys.push_back(
+      count_key({"solve.passes", "1", "a whole number, 1 to 1000",
+                 "how often the wheel has rolled over the same place of the rail, this time "
+                 "included; where steel yields, both keep the groove of earlier passes"},
+                1000.0, &Scene::passes));
+  keys.push_back(count_key({"solve.threads", "1", "a whole number, 1 to 1024",
+                            "number of threads; results do not depend on it"},
+                           1024.0, &Scene::threads));
   return keys;
 }
 

@@ -84,7 +84,7 @@ inline constexpr double calibrated_likely_share = 0.005;
 /// Friction at which the map has errors of forces; what normal forces err by, as if it were that of
 /// creep forces at a friction; and friction below which errors are no smaller.
 /// origin: measured (compare_table, a coach on S1002 in sharp curves): 0.1 to 2 % of the wheels are
-/// beyond the likely error at frictions of 0.1 to 1, and 10 % at 0.05.
+/// beyond the likely error at frictions of 0.1 to 1, and 13 % at 0.05.
 inline constexpr double friction_of_errors = 0.3;
 inline constexpr double friction_without_errors = 0.15;
 inline constexpr double least_friction_of_errors = 0.2;

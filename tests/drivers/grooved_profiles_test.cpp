@@ -32,6 +32,10 @@ TEST_F(GroovedProfiles, RelieveTheContact) {
   EXPECT_LT(grooved, 0.85 * fresh);
   run("--grooved-rail worn.prr --set solve.side=left")
       .expect_refusal({"--grooved-rail worn.prr", "solve.results=groove"});
+  const Outcome elastic = run("--grooved-rail new.prr --set solve.side=left solve.results=groove");
+  EXPECT_GT(elastic.exit_code, 0);
+  EXPECT_NE(elastic.error.find("--grooved-rail new.prr: no groove"), std::string::npos)
+      << elastic.error;
 }
 
 } // namespace
