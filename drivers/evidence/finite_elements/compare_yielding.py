@@ -2,8 +2,8 @@
 
     PYTHONPATH=build/release/python drivers/evidence/finite_elements/compare_yielding.py
 
-results.json has the contacts with a yield stress of 500 MPa on three meshes (compare_contacts.py), yield_stresses.json those with other
-yield stresses on the coarsest one. The library has the pose of the unyielding finite elements, and its default accuracy.
+results.json has three contacts with a yield stress of 500 MPa on three meshes (compare_contacts.py), yield_stresses.json those with other
+yield stresses on the coarsest one, and two further contacts on two meshes. The library has the pose of the unyielding finite elements, and its default accuracy.
 """
 from __future__ import annotations
 
@@ -33,7 +33,8 @@ def cases() -> list[dict[str, Any]]:
                 found.append({"contact": contact, "mesh": mesh, "yield stress": 500, "load": load,
                               "plastic": step_at(runs[f"{contact} plastic {mesh}"], load),
                               "unyielding": step_at(runs[f"{contact} unyielding {mesh}"], load)})
-    return [dict(case, mesh=0) for case in json.loads((HERE / "yield_stresses.json").read_text())["cases"]] + found
+    others: list[dict[str, Any]] = json.loads((HERE / "yield_stresses.json").read_text())["cases"]
+    return others + found
 
 
 def solve(case: dict[str, Any], **steel: Any) -> Any:

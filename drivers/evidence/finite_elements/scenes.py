@@ -42,6 +42,11 @@ CASES = {
                   0.2),
     "corner": Case("gauge corner, y = 6.2 mm", 6.2, ((0.0, 0.35),), Sizes(0.6, 0.35, 1.35, 14.0), 9.0, 4.0, np.inf, 0.0),
 }
+# Yielding only, of meshes 0 and 1 (yield_stresses.json).
+FURTHER = {
+    "inner": Case("tread, y = 3 mm", 3.0, ((0.0, 0.45),), Sizes(0.5, 0.45, 1.35, 14.0), 14.0, 5.0, -np.inf, 0.8),
+    "field": Case("tread, y = -5 mm", -5.0, ((0.0, 0.55),), Sizes(0.45, 0.5, 1.35, 14.0), 16.0, 5.0, -np.inf, 0.8),
+}
 # Yield stress and linear hardening, MPa. `unyielding` is `plastic` with the same elements and steps, and a yield stress that nothing
 # reaches: what is left between both is the steel's.
 HARDENING = 210e3 * 21e3 / (210e3 - 21e3)
@@ -136,7 +141,7 @@ def model_of(lower: Body, upper: Body, load: float, plastic: dict[str, str], inc
 def blocks_of(name: str, mesh: int, material: str) -> tuple[Scene, Blocks]:
     """A calculation: wheel and rail have the same material. With a yield stress contact begins with a part of the depth, and elements have no
     incompatible modes, with which the iteration of CalculiX does not converge then."""
-    case = CASES[name]
+    case = {**CASES, **FURTHER}[name]
     scene = scene_of(case.lateral)
     law = MATERIALS[material]
     if law is None:
