@@ -12,8 +12,9 @@ pytest.importorskip("scipy", reason="the evidence by finite elements needs scipy
 FOLDER = PROJECT / "drivers/evidence/finite_elements"
 sys.path.insert(0, str(FOLDER))
 import compare_contacts  # noqa: E402
+import compare_yielding  # noqa: E402
 import hertz  # noqa: E402
-from scenes import CASES, MATERIALS, blocks_of  # noqa: E402
+from scenes import ALL_CASES, CASES, MATERIALS, blocks_of  # noqa: E402
 
 # Errors of the coarse mesh halve where they are largest, those of the area; so the last change is the error that is left.
 FIRST_ORDER = 1.25
@@ -50,7 +51,7 @@ def test_the_closed_form_is_that_of_a_sphere_if_radii_are_equal(monkeypatch):
     assert found["depth"] == pytest.approx(half_width**2 / 100.0, rel=1e-3)
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", ALL_CASES)
 def test_nodes_lie_on_the_profile_and_no_element_is_folded(name):
     scene, blocks = blocks_of(name, 1, "elastic")
     assert blocks.lower.worst_corner() > 0.1 and blocks.upper.worst_corner() > 0.3
@@ -101,3 +102,10 @@ def test_steel_that_does_not_yield_changes_nothing(results):
             assert step["pmax"] == pytest.approx(other["pmax"], rel=5e-3)
 
 
+def test_yielding_lessens_pmax_of_each_stored_contact_at_its_load():
+    cases = compare_yielding.cases()
+    assert {case["contact"] for case in cases} == set(ALL_CASES)
+    for case in cases:
+        plastic, elastic = case["plastic"], case["unyielding"]
+        assert plastic["Fz"] == pytest.approx(case["load"], abs=1.0) and elastic["Fz"] == pytest.approx(case["load"], abs=1.0)
+        assert 0.3 * elastic["pmax"] < plastic["pmax"] < 1.005 * elastic["pmax"]

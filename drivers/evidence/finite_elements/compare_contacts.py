@@ -6,8 +6,8 @@
 
 The first command prints the tables of docs/evidence/half-space.md: it solves the scenes by the library and compares them with the
 stored results of the finite elements (results.json beside this file). The second one computes one of these with CalculiX (ccx,
-Debian package calculix-ccx) and replaces it in the file: cases tread, lobes, corner, inner, field; meshes 0 to 3 (coarse to fine); --material
-elastic, plastic or unyielding (as plastic, without yield). Needs numpy and scipy, the picture matplotlib. Methods: scenes.py, contact_mesh.py, figures.py.
+Debian package calculix-ccx) and replaces it in the file: cases tread, lobes, corner, inner, field; meshes 0 to 3 (coarse to fine);
+--material elastic, plastic or unyielding (as plastic, without yield). Of inner and field yield_stresses.json has the figures. Needs numpy and scipy, the picture matplotlib. Methods: scenes.py, contact_mesh.py, figures.py.
 """
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 import calculix  # noqa: E402
 from figures import finite_element_figures, library_measures  # noqa: E402
-from scenes import CASES, FURTHER, LOAD, MATERIALS, SHARES, Scene, blocks_of, scene_of  # noqa: E402
+from scenes import ALL_CASES, CASES, LOAD, MATERIALS, SHARES, Scene, blocks_of, scene_of  # noqa: E402
 
 MESHES = (0, 1, 2, 3)
 # Name, in the finite elements and in the library, unit, digits, factor; differences are relative unless in %.
@@ -58,7 +58,7 @@ def compute(name: str, mesh: int, material: str, folder: Path) -> dict[str, Any]
     scene, blocks = blocks_of(name, mesh, material)
     finished = (folder / "seconds.txt").exists()
     solutions = calculix.read(blocks.model, folder) if finished else calculix.run(blocks.model, folder)
-    steps = [finite_element_figures({**CASES, **FURTHER}[name], scene, blocks, solution) for solution in solutions]
+    steps = [finite_element_figures(ALL_CASES[name], scene, blocks, solution) for solution in solutions]
     common = {key: steps[-1][key] for key in ("nodes", "elements", "iterations", "seconds")}
     steps = [{key: value for key, value in step.items() if key not in common} for step in steps]
     result: dict[str, Any] = rounded({**common, "command": f"compare_contacts.py --case {name} --mesh {mesh} --material {material} --write results.json",
@@ -193,7 +193,7 @@ def draw(found: dict[str, Any], library: Library, path: str) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--case", choices=[*CASES, *FURTHER], help="compute this contact with CalculiX")
+    parser.add_argument("--case", choices=list(ALL_CASES), help="compute this contact with CalculiX")
     parser.add_argument("--mesh", type=int, choices=MESHES, default=1)
     parser.add_argument("--material", choices=list(MATERIALS), default="elastic")
     parser.add_argument("--folder", metavar="DIR", type=Path, help="for the files of CalculiX; a finished calculation there is read instead")

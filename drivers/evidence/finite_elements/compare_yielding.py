@@ -3,7 +3,8 @@
     PYTHONPATH=build/release/python drivers/evidence/finite_elements/compare_yielding.py
 
 results.json has three contacts with a yield stress of 500 MPa on three meshes (compare_contacts.py), yield_stresses.json those with other
-yield stresses on the coarsest one, and two further contacts on two meshes. The library has the pose of the unyielding finite elements, and its default accuracy.
+yield stresses on the coarsest one, and two further contacts on two meshes. The library has the pose of the unyielding finite elements,
+and its default accuracy.
 """
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The three contacts, their meshes and materials, and the figures that finite elements and the library have of them."""
+"""The contacts, their meshes and materials, and the figures that finite elements and the library have of them."""
 from __future__ import annotations
 
 import sys
@@ -42,8 +42,9 @@ CASES = {
                   0.2),
     "corner": Case("gauge corner, y = 6.2 mm", 6.2, ((0.0, 0.35),), Sizes(0.6, 0.35, 1.35, 14.0), 9.0, 4.0, np.inf, 0.0),
 }
-# Yielding only, of meshes 0 and 1 (yield_stresses.json).
-FURTHER = {
+# And those with yielding steel alone, of meshes 0 and 1 (yield_stresses.json).
+ALL_CASES = {
+    **CASES,
     "inner": Case("tread, y = 3 mm", 3.0, ((0.0, 0.45),), Sizes(0.5, 0.45, 1.35, 14.0), 14.0, 5.0, -np.inf, 0.8),
     "field": Case("tread, y = -5 mm", -5.0, ((0.0, 0.55),), Sizes(0.45, 0.5, 1.35, 14.0), 16.0, 5.0, -np.inf, 0.8),
 }
@@ -141,7 +142,7 @@ def model_of(lower: Body, upper: Body, load: float, plastic: dict[str, str], inc
 def blocks_of(name: str, mesh: int, material: str) -> tuple[Scene, Blocks]:
     """A calculation: wheel and rail have the same material. With a yield stress contact begins with a part of the depth, and elements have no
     incompatible modes, with which the iteration of CalculiX does not converge then."""
-    case = {**CASES, **FURTHER}[name]
+    case = ALL_CASES[name]
     scene = scene_of(case.lateral)
     law = MATERIALS[material]
     if law is None:
